@@ -1,3 +1,4 @@
+/// <reference path="./libs.d.ts" />
 import type { InitInput } from './wasm/tiepoint.js';
 
 export * from './wasm/tiepoint.js';

@@ -120,8 +120,8 @@ pub use outputs::{
 pub use pair::{
     DescribedImage, FeatureMatchOptions, KnownPhoto, KnownWorst, NoOrientation, OneImage, PairCameras, PairHint, PairImage, PairInput,
     PairInterior, PairMatching, PairPreset, PairResult, PairSettings, PairVerdict, PhotoInput, VerifiedMatches, describe_image,
-    epipolar_line, judged, match_described_pair, match_features, match_in_rounds, match_pair, match_weights, observations, orient_matches,
-    photo_interior, photo_marks,
+    epipolar_line, judged, match_described_pair, match_features, match_in_rounds, match_pair, observations, orient_matches, photo_interior,
+    photo_marks,
 };
 pub use pipeline::{
     BlockPlaces, BlockRun, CameraRules, CarriedEdits, ControlTables, ControlTexts, EditedRun, FileNeeded, InitialCamera, Job, JoinedPoints,
@@ -132,7 +132,7 @@ pub use pipeline::{
 pub use pipeline::{images_in, replace_file, run_block};
 pub use points::{
     Candidates, InterestPoint, LEAST_FRACTION, LocalFrame, MultiscaleOptions, Operator, PointCounts, PointOptions, PointPosition, PointSet,
-    ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
+    ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points,
 };
 pub use reconstruction::{
     Axis, BlockWarning, LengthUnit, Mistake, ObservationSource, Observed, PointSource, ReconstructedModel, Reconstruction,

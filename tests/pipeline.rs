@@ -144,6 +144,26 @@ fn threads_and_a_folder_give_what_one_job_after_the_other_gives() {
 }
 
 #[test]
+fn a_run_whose_caller_panics_ends_though_other_threads_wait() {
+    let at = folder("panicking");
+    for name in ["a.png", "b.png"] {
+        fs::write(at.join(name), b"no image").unwrap();
+    }
+    let images = images_in(&at).unwrap();
+    let kept = at.join("work");
+    let (said, heard) = std::sync::mpsc::channel();
+    // More threads than images: the others wait for what comes of these.
+    std::thread::spawn(move || {
+        let told = std::panic::AssertUnwindSafe(|| run_block(&images, &[], options(), &kept, 6, |_| panic!("told too much")));
+        let panic = std::panic::catch_unwind(told).unwrap_err();
+        said.send(panic.downcast_ref::<&str>().map(ToString::to_string)).unwrap();
+    });
+    let panic = heard.recv_timeout(std::time::Duration::from_secs(120)).expect("the run ends");
+    assert_eq!(panic.as_deref(), Some("told too much"));
+    fs::remove_dir_all(at).unwrap();
+}
+
+#[test]
 fn a_kept_record_that_is_damaged_is_made_again() {
     let (run, _, whole) = whole();
     let mut kept = whole.clone();

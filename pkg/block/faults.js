@@ -1,13 +1,15 @@
 // @ts-check
 /** What a call of the module ended with, where it was no refusal: memory that ran out, or a fault of the program. */
 
+import { plainError } from './wire.js';
+
 /**
- * Of an error by its name and message, which pass between workers. A module that gets no memory ends in `unreachable`, and a host that has
+ * Of an error, or its plain form, by its name and message. A module that gets no memory ends in `unreachable`, and a host that has
  * none throws a RangeError. Any other trap is a fault, as are panics, stacks that overflow and workers that end; null for other errors.
  * @param {unknown} error @returns {'memory' | 'fault' | null}
  */
 export function breakdownOf(error) {
-  const { name, message } = error instanceof Error ? error : { name: '', message: '' };
+  const { name, message } = plainError(error);
   switch (name) {
     case 'RuntimeError':
       return /unreachable/i.test(message) ? 'memory' : 'fault';

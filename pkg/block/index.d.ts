@@ -1,9 +1,11 @@
+/// <reference path="../libs.d.ts" />
 import type { FinishedBlock } from '../wasm/tiepoint.js';
 import type { RunOptions, Source, Surroundings } from './types.js';
 
 export type * from './types.js';
 
 export { breakdownOf } from './faults.js';
+export { errorOf, plainError, type PlainError } from './wire.js';
 
 /**
  * Runs a block from its image files to its orientation. What the store holds from an earlier run with the same images and settings is not

@@ -3,3 +3,4 @@
 
 export { breakdownOf } from './faults.js';
 export { runBlock } from './run.js';
+export { errorOf, plainError } from './wire.js';

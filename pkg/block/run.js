@@ -3,7 +3,9 @@
 
 import { Run, sha256 } from '../wasm/tiepoint.js';
 import { breakdownOf } from './faults.js';
+import { checkGiven } from './given.js';
 import { timed } from './timed.js';
+import { plainError } from './wire.js';
 
 /**
  * @typedef {import('./types.js').Source} Source
@@ -19,7 +21,9 @@ import { timed } from './timed.js';
  * @param {import('./types.js').RunOptions} options @param {Surroundings} surroundings
  * @returns {Promise<import('../wasm/tiepoint.js').FinishedBlock>} which the caller frees
  */
-export async function runBlock(sources, { settings = {}, cameras, gps, control, masks = [], geoid }, surroundings) {
+export async function runBlock(sources, options, surroundings) {
+  checkGiven(sources, options, surroundings);
+  const { settings = {}, cameras, gps, control, masks = [], geoid } = options;
   const { pool, progress, news, signal } = surroundings;
   const names = (/** @type {readonly Source[]} */ files) => files.map(({ name }) => name);
   const run = new Run({
@@ -81,7 +85,7 @@ async function performed({ id, files: needed }, run, files, { pool, store }) {
   try {
     inputs = await Promise.all(needed.map(({ kind, index }) => /** @type {Source} */ (files[kind][index]).bytes()));
   } catch (error) {
-    return run.failed(id, { kind: 'unreadable', message: messageOf(error) });
+    return run.failed(id, { kind: 'unreadable', message: plainError(error).message });
   }
   const { key, task, records, input } = run.prepare(id, await Promise.all(inputs.map(digest)));
   const kept = key === null ? null : await store.get(key);
@@ -102,7 +106,7 @@ async function performed({ id, files: needed }, run, files, { pool, store }) {
   /** @type {Uint8Array} */
   let output;
   try {
-    output = await pool.run('block', { task, inputs }, input ? [input.buffer] : []);
+    output = await pool.run('block', { task, inputs }, input ? [/** @type {ArrayBuffer} */ (input.buffer)] : []);
   } catch (error) {
     return run.failed(id, failureOf(error));
   }
@@ -120,12 +124,10 @@ async function digest(bytes) {
 
 /** What a job says of itself, or that its worker broke down; any other error is thrown on.  @param {unknown} error @returns {Failure} */
 function failureOf(error) {
-  const { name, code = '', usage = false } = /** @type {{ name?: string, code?: string, usage?: boolean }} */ (error instanceof Error ? error : {});
-  if (name === 'TiepointError') return { kind: 'refused', code, message: messageOf(error), usage };
+  const { name, message, code = '', usage = false } = plainError(error);
+  if (name === 'TiepointError') return { kind: 'refused', code, message, usage };
   // The worker was replaced.
   const breakdown = breakdownOf(error);
   if (breakdown === null) throw error;
-  return { kind: breakdown === 'memory' ? 'out_of_memory' : 'broke_off', message: messageOf(error) };
+  return { kind: breakdown === 'memory' ? 'out_of_memory' : 'broke_off', message };
 }
-
-const messageOf = (/** @type {unknown} */ error) => (error instanceof Error ? error.message : String(error));

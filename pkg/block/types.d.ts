@@ -16,16 +16,16 @@ export interface BlockJob {
 }
 
 /**
- * Runs jobs on workers. A job that fails rejects with what it threw; a worker that broke down is replaced. `transfer` is memory of the run's
- * own; what sources and the store have given stays theirs.
+ * Runs jobs on workers. A job that fails rejects with what it threw, or with its plain form (`plainError`); a worker that broke down is
+ * replaced. `transfer` is memory of the run's own; what sources and the store have given stays theirs.
  */
 export interface Pool {
   /** How many jobs run at the same time. */
   readonly size: number;
-  run(name: 'block', input: BlockJob, transfer: ArrayBufferLike[]): Promise<Uint8Array>;
+  run(name: 'block', input: BlockJob, transfer: ArrayBuffer[]): Promise<Uint8Array>;
 }
 
-/** Keeps records by key; `put` keeps a record whole or not at all. */
+/** Keeps records by key, a text of letters, digits and slashes; `put` keeps a record whole or not at all. */
 export interface Store {
   get(key: string): Promise<Uint8Array | null>;
   put(key: string, record: Uint8Array): Promise<void>;

@@ -1,7 +1,7 @@
 // @ts-check
 /** What is known of a pair beside its images, as options: camera, fiducial marks, offset, and how it is matched and oriented. */
 
-import { parse_camera, parse_fiducials } from '../node.js';
+import { camera_of_focal_px, parse_camera, parse_fiducials } from '../node.js';
 import { cameraOfBlock, holdsBlock } from './block-camera.js';
 import { about, UsageError } from './errors.js';
 import { readBytes, readMask, readText, textOf } from './files.js';
@@ -11,9 +11,6 @@ import { checkTogether, MASK, pair, path, valueOption } from './options.js';
  * @typedef {import('../node.js').Given<import('../node.js').PairInput>} GivenInput
  * @typedef {import('./args.js').Call} Call
  */
-
-/** Side of a pixel, where only the focal length in px is known. */
-const NOMINAL_PIXEL_MM = 0.001;
 
 export const PAIR_OPTIONS = [
   path(
@@ -82,7 +79,7 @@ export function inputOf(call) {
   const focal = values.get('focal-px');
   if (typeof focal === 'number') {
     if (input.camera) throw new UsageError('--camera and --focal-px both give a focal length; give one of them');
-    input.camera = { focal_mm: focal * NOMINAL_PIXEL_MM, pixel_mm: NOMINAL_PIXEL_MM };
+    input.camera = camera_of_focal_px(focal);
   }
   for (const side of /** @type {const} */ (['left', 'right'])) {
     const file = values.get(`${side}-fiducials`);

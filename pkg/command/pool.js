@@ -3,6 +3,7 @@
 
 import { Worker } from 'node:worker_threads';
 import { breakdownOf } from '../block/faults.js';
+import { errorOf } from '../block/wire.js';
 
 /**
  * @typedef {{ name: string, input: unknown, transfer: readonly ArrayBufferLike[], resolve: (output: any) => void, reject: (error: Error) => void }} Job
@@ -59,10 +60,10 @@ export class ThreadPool {
     lane.worker.on('message', ({ output, error }) => {
       const job = lane.job;
       lane.job = null;
-      if (error) job?.reject(Object.assign(new Error(error.message), error));
+      if (error) job?.reject(errorOf(error));
       else job?.resolve(output);
       // The module is not to be trusted after a trap or a panic.
-      if (error && breakdownOf(Object.assign(new Error(error.message), { name: error.name })) !== null) this.#drop(lane);
+      if (error && breakdownOf(error) !== null) this.#drop(lane);
       this.#start();
     });
     lane.worker.on('messageerror', (error) => this.#broken(lane, `the answer of the worker cannot be read: ${error.message}`));

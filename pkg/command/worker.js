@@ -6,6 +6,7 @@ import '../node.js';
 import { jobs } from '../block/jobs.js';
 import * as pairJobs from './pair-jobs.js';
 import { photoFile } from '../block/photo.js';
+import { plainError } from '../block/wire.js';
 
 /** @type {Record<string, (input: any) => Promise<any>>} */
 const ALL = { ...jobs, ...pairJobs, photo: async (/** @type {any} */ job) => photoFile(job) };
@@ -24,6 +25,5 @@ parentPort?.on('messageerror', fail);
 
 /** @param {unknown} error */
 function fail(error) {
-  const { name: kind, message, code, usage } = error instanceof Error ? /** @type {any} */ (error) : { name: 'Error', message: String(error) };
-  parentPort?.postMessage({ error: { name: kind, message, code, usage } });
+  parentPort?.postMessage({ error: plainError(error) });
 }

@@ -20,7 +20,7 @@ pub struct Interior {
     pub parameters: [[f64; 3]; 2],
     /// Principal point `[x, y]` in mm, in the same system.
     pub principal_point_mm: [f64; 2],
-    /// `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶.
+    /// `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶, of the correction that `CameraMm` says.
     pub radial_distortion: [f64; 3],
     /// `[p1, p2]` in mm⁻¹.
     #[serde(default)]

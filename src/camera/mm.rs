@@ -1,6 +1,7 @@
 //! The camera in mm, as certificates and the files of pairs have it, and from the camera of a block.
 
 use super::distortion::{MOST_STEPS, fitted_terms, radial_factor, tangential_shift, undistorted};
+use super::sensors::NOMINAL_PIXEL_MM;
 use super::{Camera, CameraUncertainty, ExifCamera};
 use crate::catalogue::refuse;
 use crate::{Allowed, Cause, Computation, Error, Refusal};
@@ -20,10 +21,12 @@ pub struct CameraMm {
     /// Side of a pixel in mm, 0.000001 to 10; needed where there are no fiducials.
     #[serde(default)]
     pub pixel_mm: Option<f64>,
-    /// `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶: see [`Interior::photo_mm`](crate::Interior::photo_mm).
+    /// `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶. What was measured at x, y mm from the principal point, r mm away, is corrected to
+    /// x · (1 + k1·r² + k2·r⁴ + k3·r⁶) + p1·(r² + 2x²) + 2·p2·x·y and y · (1 + k1·r² + k2·r⁴ + k3·r⁶) + p2·(r² + 2y²) + 2·p1·x·y: a positive k1
+    /// moves points outwards, against a barrel distortion.
     #[serde(default)]
     pub radial_distortion: [f64; 3],
-    /// `[p1, p2]` in mm⁻¹: see [`Interior::photo_mm`](crate::Interior::photo_mm).
+    /// `[p1, p2]` in mm⁻¹, of the same correction.
     #[serde(default)]
     pub tangential_distortion: [f64; 2],
     /// What is not known of these; absent: nothing where photos have fiducial marks, of digital ones [`CameraUncertainty::GIVEN`].
@@ -42,6 +45,11 @@ impl CameraMm {
             tangential_distortion: [0.0; 2],
             uncertainty: None,
         }
+    }
+
+    /// The camera of which nothing but the focal length in px is known, with pixels of a thousandth of a mm.
+    pub fn of_focal_px(focal_px: f64) -> Self {
+        Self::without_distortion(focal_px * NOMINAL_PIXEL_MM, Some(NOMINAL_PIXEL_MM))
     }
 
     /// The camera that a file names, with what is not known of it: principal point in the middle of the image and no distortion, but where
@@ -98,8 +106,6 @@ impl CameraMm {
     }
 }
 
-/// Side of a pixel where nobody knows it, mm.
-const NOMINAL_PIXEL_MM: f64 = 0.001;
 /// Radii at which the two directions of the distortion are compared, and positions along each side of the image.
 const RADII: usize = 128;
 const POSITIONS: usize = 16;

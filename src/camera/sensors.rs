@@ -1,5 +1,8 @@
 //! Sizes of sensors by maker and model, for photos whose EXIF has a focal length in mm and nothing to turn it into px.
 
+/// Side of a pixel where nobody knows it, mm.
+pub(super) const NOMINAL_PIXEL_MM: f64 = 0.001;
+
 /// A sensor's width and height in mm.
 type Size = [f64; 2];
 

@@ -6,7 +6,18 @@ use std::ops::RangeInclusive;
 
 /// The error of an option outside its range.
 pub(crate) fn refuse(field: &'static str, got: impl ToString, allowed: Allowed) -> Error {
-    Error::InvalidOption { field, got: Some(got.to_string()), allowed }
+    Error::InvalidOption { field, got: Some(shown(got.to_string())), allowed }
+}
+
+/// The longest number that is written with all of its digits.
+const LONGEST_NUMBER: usize = 24;
+
+/// What was got, in words: a very large or very small number with its power of ten in place of hundreds of digits.
+pub(crate) fn shown(got: String) -> String {
+    match got.parse::<f64>() {
+        Ok(number) if got.len() > LONGEST_NUMBER => format!("{number:e}"),
+        _ => got,
+    }
 }
 
 /// The error of an option that is absent where it is needed.

@@ -16,6 +16,8 @@ pub use given::with_defaults;
 pub use parameter::{Parameter, ParameterKind};
 
 pub(crate) use call::{FOCAL_PX, LENGTH, SIGMA_PX, check_call};
+#[cfg_attr(not(target_arch = "wasm32"), allow(unused_imports))]
+pub(crate) use check::shown;
 pub(crate) use check::{check_values, refuse, refuse_absent};
 pub(crate) use declare::{choices, options};
 pub(crate) use given::read_options;

@@ -116,13 +116,28 @@ impl Texts {
 
     /// The text of a message of a family, or an attribute of it, from its JSON form.
     pub(crate) fn text_of(&self, family: &str, message: &Value, attribute: Option<&str>) -> String {
-        let kind = message.as_str().or_else(|| message.get("kind")?.as_str());
-        let id = kind.map_or_else(|| family.to_string(), |kind| format!("{family}-{kind}")).replace('_', "-");
+        let id = Self::id_of(family, message);
         let mut figures = FluentArgs::new();
         for (name, value) in message.as_object().into_iter().flatten() {
             self.add(&mut figures, &id, name, value);
         }
         self.entry(&id, attribute, &figures)
+    }
+
+    /// What catalogues call a message of a family, by its JSON form.
+    pub(crate) fn id_of(family: &str, message: &Value) -> String {
+        let kind = message.as_str().or_else(|| message.get("kind")?.as_str());
+        kind.map_or_else(|| family.to_string(), |kind| format!("{family}-{kind}")).replace('_', "-")
+    }
+
+    /// Whether there is a text of a message, or an attribute of it.
+    #[cfg_attr(not(target_arch = "wasm32"), allow(dead_code))]
+    pub(crate) fn has(&self, id: &str, attribute: Option<&str>) -> bool {
+        let entry = self.bundle.get_message(id);
+        entry.is_some_and(|entry| match attribute {
+            None => entry.value().is_some(),
+            Some(name) => entry.get_attribute(name).is_some(),
+        })
     }
 
     fn entry(&self, id: &str, attribute: Option<&str>, figures: &FluentArgs) -> String {

@@ -111,7 +111,7 @@ mod tests {
             ([k1, k2, k3, p1, p2], known.free())
         };
         let usual = of([0.0; 3], [0.0; 2], CameraUncertainty::EXIF);
-        assert_eq!(usual, ([Some(0.05), Some(0.05), None, Some(0.001), Some(0.001)], FreeParameters { radial: 2, ..FreeParameters::ALL }));
+        assert_eq!(usual, ([Some(0.05), Some(0.05), None, Some(0.003), Some(0.003)], FreeParameters { radial: 2, ..FreeParameters::ALL }));
         let stated = of([-0.1, 0.02, 0.0], [1e-4, 0.0], CameraUncertainty::GIVEN);
         assert_eq!(stated, ([Some(0.003), None, None, Some(1e-4), Some(1e-4)], FreeParameters { radial: 1, ..FreeParameters::ALL }));
         assert_eq!(of([0.0; 3], [0.0; 2], CameraUncertainty::NONE), ([None; 5], FreeParameters::default()));

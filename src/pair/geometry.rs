@@ -10,9 +10,6 @@ use crate::{
 };
 use serde::{Deserialize, Serialize};
 
-/// Side of a pixel where nobody knows it.
-const NOMINAL_PIXEL_MM: f64 = 0.001;
-
 /// How far outside the image a mark may have been measured, as a share of its side: the picture of a cut one is completed.
 const BEYOND: f64 = 0.05;
 
@@ -86,10 +83,9 @@ fn assumed_interior(found: &TwoView, photo: KnownPhoto<'_>, photos: [KnownPhoto<
     let focal_px = found.focal.map_or(CameraUncertainty::ASSUMED_FOCAL * longer_px * times.sqrt(), |focal| focal.focal_px);
     let assumed = CameraUncertainty::ASSUMED;
     let uncertainty = part.map_or(assumed, |part| assumed.of_part(0.5 * libm::log(times), part.reach_px / focal_px));
-    let focal_mm = focal_px * NOMINAL_PIXEL_MM;
-    let camera = CameraMm { uncertainty: Some(uncertainty), ..CameraMm::without_distortion(focal_mm, Some(NOMINAL_PIXEL_MM)) };
+    let camera = CameraMm { uncertainty: Some(uncertainty), ..CameraMm::of_focal_px(focal_px) };
     let (width, height) = photo.size;
-    (Interior::from_pixel_size(&camera, width, height).ok(), focal_mm)
+    (Interior::from_pixel_size(&camera, width, height).ok(), camera.focal_mm)
 }
 
 /// What is known of both photos.

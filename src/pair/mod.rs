@@ -30,7 +30,7 @@ pub use match_pair::{PairResult, match_described_pair, match_pair};
 pub use no_orientation::NoOrientation;
 pub use one_image::OneImage;
 pub(crate) use orienting::sigma0_of_all_mm;
-pub use orienting::{match_weights, observations, orient_matches};
+pub use orienting::{observations, orient_matches};
 pub use preset::PairPreset;
 pub use rounds::{PairMatching, match_in_rounds};
 pub use settings::PairSettings;

@@ -247,7 +247,7 @@ pub fn observations(matches: &[[f64; 4]], left: &Interior, right: &Interior) -> 
 ///
 /// The covariance of a fit tells what noise of grey values does. The shape of the ground within the window, which it does not see, is taken
 /// to be as large in the median: a weight never exceeds 2.
-pub fn match_weights(fits: &[Option<Fit>]) -> Vec<f64> {
+fn match_weights(fits: &[Option<Fit>]) -> Vec<f64> {
     let variance = |fit: &Fit| 0.5 * (fit.covariance[0] + fit.covariance[2]);
     let usable = |v: &f64| v.is_finite() && *v >= 0.0;
     let middle = median(&mut fits.iter().flatten().map(variance).filter(usable).collect::<Vec<_>>()).unwrap_or(0.0);

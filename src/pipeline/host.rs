@@ -4,7 +4,7 @@ use super::folder::{FolderLock, replace};
 use super::records::digest;
 use super::{BlockRun, FileNeeded, Job, News, Run, RunInput, execute};
 use crate::text::by_numbers;
-use crate::{Document, Error, Failure, FileFault, FilePlace};
+use crate::{Document, Error, Failure, FileFault, FilePlace, Interruption};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Condvar, Mutex};
@@ -36,6 +36,9 @@ pub fn images_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
 ///
 /// # Errors
 /// As [`Run`]; [`Error::UnreadableFile`] and [`Error::NotWritten`] for the folder, also where another run works on it.
+///
+/// # Panics
+/// Where `tell` does, once the jobs under way have ended.
 pub fn run_block(
     images: &[PathBuf],
     masks: &[PathBuf],
@@ -58,8 +61,11 @@ pub fn run_block(
         changed: Condvar::new(),
     };
     std::thread::scope(|scope| {
-        for _ in 0..threads.max(1) {
-            scope.spawn(|| host.work());
+        let threads: Vec<_> = (0..threads.max(1)).map(|_| scope.spawn(|| host.work())).collect();
+        for thread in threads {
+            if let Err(panic) = thread.join() {
+                std::panic::resume_unwind(panic);
+            }
         }
     });
     let Shared { run, ended, .. } = host.shared.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -91,6 +97,18 @@ struct Shared<T> {
     ended: Result<(), Error>,
 }
 
+/// A thread that works. Where it panics the run ends: those that wait for its job would wait for good.
+struct Working<'a, 'h, T>(&'a Host<'h, T>);
+
+impl<T> Drop for Working<'_, '_, T> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            self.0.lock().ended = Err(Error::Interrupted { interruption: Interruption::Unfinished });
+            self.0.changed.notify_all();
+        }
+    }
+}
+
 struct Host<'a, T> {
     images: &'a [PathBuf],
     masks: &'a [PathBuf],
@@ -100,9 +118,16 @@ struct Host<'a, T> {
     changed: Condvar,
 }
 
+impl<T> Host<'_, T> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, Shared<T>> {
+        self.shared.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+}
+
 impl<T: FnMut(News)> Host<'_, T> {
     /// Does one job after the other, until there are no more or the run has failed.
     fn work(&self) {
+        let _working = Working(self);
         while let Some(job) = self.wait_for_job() {
             let outcome = self.perform(&job);
             let mut shared = self.lock();
@@ -117,10 +142,6 @@ impl<T: FnMut(News)> Host<'_, T> {
             news.into_iter().for_each(&mut shared.tell);
             self.changed.notify_all();
         }
-    }
-
-    fn lock(&self) -> std::sync::MutexGuard<'_, Shared<T>> {
-        self.shared.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
     fn wait_for_job(&self) -> Option<Job> {

@@ -17,7 +17,7 @@ pub use ground::{ground1, ground2};
 pub use moravec::moravec;
 pub use multiscale::{MultiscaleOptions, PointPosition, ScalePoint, ScaleSpace, multiscale_points};
 pub use options::{Operator, PointOptions, Ties};
-pub use suppression::suppress_non_maxima;
+use suppression::suppress_non_maxima;
 pub use threshold::{LEAST_FRACTION, Selection};
 
 pub(crate) use multiscale::Level;

@@ -16,7 +16,7 @@ use crate::{Error, Refusal};
 ///
 /// # Source
 /// Zahran 2007, section 2.
-pub fn suppress_non_maxima(points: &[InterestPoint], side: usize, ties: Ties) -> Result<Vec<InterestPoint>, Error> {
+pub(super) fn suppress_non_maxima(points: &[InterestPoint], side: usize, ties: Ties) -> Result<Vec<InterestPoint>, Error> {
     check(PointOptions::PARAMETERS, "points.suppression_window", side as f64)?;
     if !points.is_sorted_by(|a, b| pixel(a) < pixel(b)) {
         return refuse(Refusal::RasterOrder);

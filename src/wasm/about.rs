@@ -29,11 +29,32 @@ export type Parameter = {
 /** What every refused call throws. */
 export interface TiepointError extends Error {
     name: "TiepointError";
-    /** Stable for programs, as "invalid-option". */
-    code: string;
+    /** Stable for programs. */
+    code: ErrorCode;
     /** Whether the caller's options are at fault rather than the data. */
     usage: boolean;
+    /** What was wrong, with its figures: `message("error", error.error, null, "ar")` is the text in another language. */
+    error: Messages["error"];
 }
+
+/** What a refused call says to programs; codes do not change between versions. */
+export type ErrorCode =
+    | "constant-window"
+    | "degenerate"
+    | "image-too-small"
+    | "interrupted"
+    | "invalid-input"
+    | "invalid-json"
+    | "invalid-option"
+    | "not-converged"
+    | "not-written"
+    | "too-few"
+    | "too-many-pixels"
+    | "too-much-memory"
+    | "unreadable-file"
+    | "unreadable-image"
+    | "unsupported-image"
+    | "window-outside";
 "#;
 
 /// The version of the crate.

@@ -1,18 +1,18 @@
-//! Files of a block: what EXIF tells, cameras and surveyed points in, the exchange formats.
+//! Files of a block: what EXIF tells, cameras and surveyed points in, the names of the exchange formats.
 
-use super::convert::{JsResult, emitting, pack, read, thrown};
+use super::convert::{Bytes, JsResult, pack, read, side, thrown};
 use crate::{
-    BlockModel, Connection, ConnectionGraph, Error, ExifImage, ExportFormat, export_block as write_block, parse_camera_rules as read_rules,
+    Connection, ConnectionGraph, Error, ExifImage, ExportFormat, parse_camera_rules as read_rules,
     parse_ground_control_points as read_points, parse_image_measurements as read_marks,
 };
-use js_sys::Function;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// What EXIF tells of an image of this size beside its pixels.
 #[wasm_bindgen(unchecked_return_type = "ExifImage")]
-pub fn read_exif(file: &[u8], width: u32, height: u32) -> JsValue {
-    pack(&ExifImage::read(file, u64::from(width), u64::from(height)))
+pub fn read_exif(file: &Bytes, width: f64, height: f64) -> JsResult<JsValue> {
+    let (width, height) = (side("width", width)?, side("height", height)?);
+    Ok(pack(&ExifImage::read(&file.read("file of the image")?, u64::from(width), u64::from(height))))
 }
 
 /// Reads cameras that hold for the images whose names fit a pattern.
@@ -39,25 +39,13 @@ pub fn export_formats() -> JsValue {
     pack(&ExportFormat::ALL)
 }
 
-/// Writes a block in one format: `emit` is called with the path, relative to a folder, and the text of each file in turn.
-#[wasm_bindgen]
-pub fn export_block(
-    #[wasm_bindgen(unchecked_param_type = "BlockModel")] model: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "ExportFormat")] format: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "(path: string, text: string) => void")] emit: &Function,
-) -> JsResult<()> {
-    let (model, format): (BlockModel, ExportFormat) = (read("block", model)?, read("format", format)?);
-    emitting(emit, |emit| write_block(&model, format, emit))
-}
-
 /// More images than any block has.
 const MOST_IMAGES: u32 = 10_000_000;
 
 /// The groups of connected images of a block, the largest first.
 #[wasm_bindgen(unchecked_return_type = "number[][]")]
-pub fn connected_groups(images: u32, #[wasm_bindgen(unchecked_param_type = "Connection[]")] connections: &JsValue) -> JsResult<JsValue> {
-    let connections: Vec<Connection> = read("connections", connections)?;
-    // What is no number of images, as -1, arrives as a number beyond all memory.
+pub fn connected_groups(images: f64, #[wasm_bindgen(unchecked_param_type = "Connection[]")] connections: &JsValue) -> JsResult<JsValue> {
+    let (images, connections): (u32, Vec<Connection>) = (side("number of images", images)?, read("connections", connections)?);
     if images > MOST_IMAGES {
         let (got, allowed) = (images.to_string(), format!("0 to {MOST_IMAGES}"));
         return Err(thrown(Error::InvalidArgument { what: "number of images", got, wanted: allowed }));

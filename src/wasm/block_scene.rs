@@ -1,6 +1,6 @@
 //! Simulated photos of a block, one at a time, and the score of what is made of them.
 
-use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, thrown};
+use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, thrown, whole};
 use crate::{BlockFlight, BlockModel, BlockPreset, BlockScene as Scene, score_block as score_by_truth};
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
@@ -29,8 +29,8 @@ impl BlockScene {
 
     /// Takes a photo.
     #[wasm_bindgen(unchecked_return_type = "SampleImage")]
-    pub fn photo(&self, index: usize) -> JsResult<JsValue> {
-        let photo = self.scene.photo(index).map_err(thrown)?;
+    pub fn photo(&self, index: f64) -> JsResult<JsValue> {
+        let photo = self.scene.photo(whole("index of the photo", index)?).map_err(thrown)?;
         Ok(object([
             ("width", (photo.width() as f64).into()),
             ("height", (photo.height() as f64).into()),
@@ -39,8 +39,8 @@ impl BlockScene {
     }
 
     /// Takes a photo as a PNG file, with its camera and recorded position as EXIF.
-    pub fn photo_file(&self, index: usize) -> JsResult<Vec<u8>> {
-        self.scene.photo_file(index).map_err(thrown)
+    pub fn photo_file(&self, index: f64) -> JsResult<Vec<u8>> {
+        self.scene.photo_file(whole("index of the photo", index)?).map_err(thrown)
     }
 
     /// The orthophoto of all that the photos show and the heights of its surface, as GeoTIFF files; `gsd_m` is the side of a pixel.
@@ -58,8 +58,8 @@ impl BlockScene {
     }
 
     /// Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
-    pub fn surface_at(&self, index: usize, positions: &[f64]) -> JsResult<js_sys::Float64Array> {
-        let places = self.scene.surface_at(index, rows::<2>("positions", positions)?).map_err(thrown)?;
+    pub fn surface_at(&self, index: f64, positions: &[f64]) -> JsResult<js_sys::Float64Array> {
+        let places = self.scene.surface_at(whole("index of the photo", index)?, rows::<2>("positions", positions)?).map_err(thrown)?;
         Ok(numbers(places.into_iter().flatten()).into())
     }
 }

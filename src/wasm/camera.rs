@@ -1,7 +1,7 @@
 //! Cameras of photographs: what they are called, and that of a pair from that of a block.
 
-use super::convert::{JsResult, pack, read, thrown};
-use crate::{Camera, ExifCamera};
+use super::convert::{JsResult, pack, read, side, thrown};
+use crate::{Camera, CameraMm, ExifCamera};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -11,8 +11,15 @@ pub fn photo_camera(#[wasm_bindgen(unchecked_param_type = "Camera")] camera: &Js
     read::<Camera>("camera", camera)?.photo_camera().map(|camera| pack(&camera)).map_err(thrown)
 }
 
+/// The camera of a photo of which nothing but the focal length in px is known.
+#[wasm_bindgen(unchecked_return_type = "CameraMm")]
+pub fn camera_of_focal_px(focal_px: f64) -> JsValue {
+    pack(&CameraMm::of_focal_px(focal_px))
+}
+
 /// What a block calls the camera of a photograph of this size in px: make, model, focal length and size.
 #[wasm_bindgen]
-pub fn camera_label(#[wasm_bindgen(unchecked_param_type = "ExifCamera")] camera: &JsValue, width: u32, height: u32) -> JsResult<String> {
-    Ok(read::<ExifCamera>("camera", camera)?.label([width, height]))
+pub fn camera_label(#[wasm_bindgen(unchecked_param_type = "ExifCamera")] camera: &JsValue, width: f64, height: f64) -> JsResult<String> {
+    let size = [side("width", width)?, side("height", height)?];
+    Ok(read::<ExifCamera>("camera", camera)?.label(size))
 }

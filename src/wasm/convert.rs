@@ -1,12 +1,14 @@
 //! Between JavaScript values and plain data.
 
+use crate::catalogue::shown;
 use crate::json::{self, JsonFault};
 use crate::{Document, Error, FileFault, FilePlace, InterestPoint, with_defaults};
-use js_sys::{Float64Array, Function, JSON, Object, Reflect};
+use js_sys::{Array, Float64Array, Function, JSON, Object, Reflect, Symbol, Uint8Array};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use wasm_bindgen::closure::Closure;
+use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 
 /// What every call that can fail gives: an `Error` named `TiepointError` with `code`, `usage` and the `error` with its figures on failure.
@@ -36,11 +38,15 @@ pub fn options_inside<T: DeserializeOwned + Serialize + Default>(what: &'static 
     value.map(with_defaults).transpose().map_err(|fault| refused(what, fault))
 }
 
+/// The names of numbers that JSON has not.
+const NO_NUMBERS: [&str; 3] = ["NaN", "Infinity", "-Infinity"];
+
 /// The JSON form of a value: null where it has none, as `undefined`. A number that is none (NaN, ±Infinity), which would become null and
 /// so read as absent, becomes its name and is refused.
 fn parsed(value: &JsValue) -> Result<Value, JsonFault> {
     let named = Closure::<dyn Fn(JsValue, JsValue) -> JsValue>::new(|_key, value: JsValue| match value.as_f64() {
-        Some(number) if !number.is_finite() => number.to_string().into(),
+        Some(number) if number.is_nan() => NO_NUMBERS[0].into(),
+        Some(number) if number.is_infinite() => NO_NUMBERS[if number > 0.0 { 1 } else { 2 }].into(),
         _ => value,
     });
     let text = JSON::stringify_with_replacer(value, named.as_ref()).ok().and_then(|text| text.as_string());
@@ -48,7 +54,12 @@ fn parsed(value: &JsValue) -> Result<Value, JsonFault> {
 }
 
 /// The fault has no place, which would be that in a text that nobody wrote.
-fn refused(what: &'static str, json_fault: JsonFault) -> JsValue {
+fn refused(what: &'static str, mut json_fault: JsonFault) -> JsValue {
+    // They were given as numbers.
+    let (JsonFault::Field { words, .. } | JsonFault::Text { words, .. }) = &mut json_fault;
+    for name in NO_NUMBERS {
+        *words = words.replace(&format!("invalid type: string \"{name}\""), &format!("invalid value: {name}"));
+    }
     thrown(Error::InvalidJson { document: Document::Named { name: what.into() }, json_fault })
 }
 
@@ -70,6 +81,62 @@ pub fn emitting<T>(
         })
     });
     written.map_err(|error| threw.take().unwrap_or_else(|| thrown(error)))
+}
+
+#[wasm_bindgen]
+extern "C" {
+    /// Bytes of JavaScript. What arrives as a slice would be made of anything: of nothing where it has no length, and of other numbers.
+    #[wasm_bindgen(typescript_type = "Uint8Array | Uint8ClampedArray | ArrayBuffer")]
+    #[derive(Clone)]
+    pub type Bytes;
+}
+
+impl Bytes {
+    /// A copy of them. `what`: what they are.
+    pub fn read(&self, what: &'static str) -> JsResult<Vec<u8>> {
+        let refusal = || {
+            let (got, wanted) = (kind_of(self), "Uint8Array, Uint8ClampedArray or ArrayBuffer".into());
+            thrown(Error::InvalidArgument { what, got, wanted })
+        };
+        bytes_of(self).ok_or_else(refusal)
+    }
+}
+
+/// A copy of bytes; none where a value holds none.
+pub fn bytes_of(value: &JsValue) -> Option<Vec<u8>> {
+    match &*tag_of(value)? {
+        "Uint8Array" | "Uint8ClampedArray" => Some(value.unchecked_ref::<Uint8Array>().to_vec()),
+        "ArrayBuffer" => Some(Uint8Array::new(value).to_vec()),
+        _ => None,
+    }
+}
+
+/// The name of the class of an object of the language, whose constructor is another one in each window.
+fn tag_of(value: &JsValue) -> Option<String> {
+    Reflect::get(value, &Symbol::to_string_tag()).ok()?.as_string()
+}
+
+/// What kind of value is given, in a word.
+pub fn kind_of(value: &JsValue) -> String {
+    match value {
+        _ if value.is_null() => "null".into(),
+        _ if Array::is_array(value) => "Array".into(),
+        _ => tag_of(value).or_else(|| value.js_typeof().as_string()).unwrap_or_default(),
+    }
+}
+
+/// A whole number from 0 on, an index or a count. What is none would arrive as another one, as NaN as 0.
+pub fn whole(what: &'static str, value: f64) -> JsResult<usize> {
+    side(what, value).map(|whole| whole as usize)
+}
+
+/// The same, of the side of an image.
+pub fn side(what: &'static str, value: f64) -> JsResult<u32> {
+    if value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value) {
+        return Ok(value as u32);
+    }
+    let (got, wanted) = (shown(value.to_string()), format!("whole numbers from 0 to {}", u32::MAX));
+    Err(thrown(Error::InvalidArgument { what, got, wanted }))
 }
 
 /// Packs plain data as an object.

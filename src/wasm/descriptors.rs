@@ -1,6 +1,6 @@
 //! Matches of byte descriptors.
 
-use super::convert::{JsResult, object, read_options, thrown};
+use super::convert::{Bytes, JsResult, object, read_options, thrown, whole};
 use crate::{DescriptorMatch, Error, NearestOptions, NearestTable, nearest_matches, nearest_of};
 use js_sys::{Array, Reflect, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -30,19 +30,22 @@ export interface NearestPiece {
 /// Matches byte descriptors of 128 bytes each: exact nearest neighbours, the ratio to the second nearest, the same from both sides.
 #[wasm_bindgen(unchecked_return_type = "DescriptorMatches")]
 pub fn match_descriptors(
-    left: &[u8],
-    right: &[u8],
+    left: &Bytes,
+    right: &Bytes,
     #[wasm_bindgen(unchecked_param_type = "Given<NearestOptions>")] options: &JsValue,
 ) -> JsResult<JsValue> {
     let options: NearestOptions = read_options("nearest", options)?;
-    nearest_matches(left, right, &options).map(|matches| pack_matches(&matches)).map_err(thrown)
+    nearest_matches(&left.read("left descriptors")?, &right.read("right descriptors")?, &options)
+        .map(|matches| pack_matches(&matches))
+        .map_err(thrown)
 }
 
 /// The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest` and
 /// `match_photos`.
 #[wasm_bindgen(unchecked_return_type = "NearestPiece")]
-pub fn nearest_piece(left: &[u8], first: usize, end: usize, right: &[u8]) -> JsResult<JsValue> {
-    let table = nearest_of(left, first..end, right).map_err(thrown)?;
+pub fn nearest_piece(left: &Bytes, first: f64, end: f64, right: &Bytes) -> JsResult<JsValue> {
+    let (left, right) = (left.read("left descriptors")?, right.read("right descriptors")?);
+    let table = nearest_of(&left, whole("first", first)?..whole("end", end)?, &right).map_err(thrown)?;
     Ok(object([
         ("first", (table.rows().start as f64).into()),
         ("left", array(&table.left_numbers())),

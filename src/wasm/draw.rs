@@ -177,7 +177,9 @@ fn visible_points(points: &[f64], codes: &[u8], half_sizes: &[f64], view: &View)
 ///
 /// `points`: stride 3, `x, y, value` in px. `codes`: one a point, the index of its style; a code without a style is not drawn.
 /// `styles`: stride 3, `shape, half size, line width` in canvas units (shapes: 0 dot, 1 circle, 2 plus, 3 cross, 4 square,
-/// 5 triangle up, 6 triangle down, 7 diamond). `colours`: one CSS colour a style. `view`: see [`View::new`]. Styles are drawn in order,
+/// 5 triangle up, 6 triangle down, 7 diamond). `colours`: one CSS colour a style. `view`: scale, shift x, shift y,
+/// left, top, right, bottom: a position of the canvas is scale times that of the image plus the shift, and marks are drawn within the last four, in canvas
+/// units. Styles are drawn in order,
 /// the last on top; where points crowd, some are left out.
 #[wasm_bindgen]
 pub fn draw_points(
@@ -205,7 +207,7 @@ pub fn draw_points(
 /// Draws the lines of matches whose two ends are both in view, from the left image's view to the right one's; returns how many.
 ///
 /// `matches`: stride 5, `x left, y left, x right, y right, measure` in px. `codes`: one a match, the index of its style; a code without
-/// a style is not drawn. `widths` and `colours`: one a style. Where more than `most` are in view, evenly many are drawn.
+/// a style is not drawn. `widths` and `colours`: one a style. Views as of `draw_points`. Where more than `most` are in view, evenly many are drawn.
 #[allow(clippy::too_many_arguments)]
 #[wasm_bindgen]
 pub fn draw_match_lines(
@@ -248,7 +250,7 @@ fn visible_lines(matches: &[f64], codes: &[u8], styles: usize, left: &View, righ
 /// Draws vectors as arrows from their points, enlarged `factor` times; returns how many.
 ///
 /// `vectors`: stride 4, `x, y, dx, dy` in px of the image. `codes`: one a vector, the index of its style; a code without a style is not drawn.
-/// `widths` and `colours`: one a style.
+/// `widths` and `colours`: one a style. `view`: as of `draw_points`.
 #[wasm_bindgen]
 pub fn draw_vectors(
     context: &CanvasRenderingContext2d,

@@ -1,6 +1,6 @@
 //! Epipolar images of a project.
 
-use super::convert::{JsResult, object, pack, thrown};
+use super::convert::{Bytes, JsResult, object, pack, thrown};
 use super::photo::Photo;
 use crate::{
     Bands, DecodeLimits, EpipolarGeometry, EpipolarImages, Error, StereoPair, decode_bands, read_project, write_anaglyph, write_bands,
@@ -34,12 +34,12 @@ pub struct EpipolarPair {
 impl EpipolarPair {
     /// Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
     /// that order in which the base goes to the right.
-    pub fn open(project: &[u8], names: Option<Vec<String>>) -> JsResult<EpipolarPair> {
+    pub fn open(project: &Bytes, names: Option<Vec<String>>) -> JsResult<EpipolarPair> {
         let names = names.map(<[String; 2]>::try_from).transpose().map_err(|names| {
             let got = format!("{} names", names.len());
             thrown(Error::InvalidArgument { what: "images of epipolar images", got, wanted: "two names".into() })
         })?;
-        let project = read_project(project).map_err(thrown)?;
+        let project = read_project(&project.read("file of the project")?).map_err(thrown)?;
         let pair = StereoPair::of_project(&project, names.as_ref()).map_err(thrown)?;
         let geometry = EpipolarGeometry::new(pair.views.each_ref(), &pair.points_px).map_err(thrown)?;
         Ok(Self { pair, geometry })
@@ -77,8 +77,8 @@ impl EpipolarPair {
 
     /// Resamples both images in the colours of their files, which are given in the order of `names`.
     #[wasm_bindgen(unchecked_return_type = "EpipolarFiles")]
-    pub fn resample_files(&self, left: &[u8], right: &[u8]) -> JsResult<JsValue> {
-        let decoded = |file: &[u8]| decode_bands(file, &DecodeLimits::default()).map_err(thrown);
+    pub fn resample_files(&self, left: &Bytes, right: &Bytes) -> JsResult<JsValue> {
+        let decoded = |file: &Bytes| decode_bands(&file.read("file of the image")?, &DecodeLimits::default()).map_err(thrown);
         self.files([decoded(left)?, decoded(right)?])
     }
 }

@@ -1,7 +1,7 @@
 //! Multi-scale points with gradient descriptors.
 
-use super::convert::{JsResult, numbers, object, pack, read_options, thrown};
-use super::photo::Photo;
+use super::convert::{Bytes, JsResult, numbers, object, pack, read_options, thrown};
+use super::photo::{Photo, read_mask};
 use crate::{FeatureOptions, features};
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
@@ -26,8 +26,9 @@ impl Photo {
     pub fn features(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Given<FeatureOptions>")] options: &JsValue,
-        mask: Option<Vec<u8>>,
+        mask: Option<Bytes>,
     ) -> JsResult<JsValue> {
+        let mask = read_mask(mask)?;
         let options: FeatureOptions = read_options("features", options)?;
         let found = features(self.view(), self.masked(&mask)?, &options).map_err(thrown)?;
         let points = found.iter().flat_map(|f| [f.point.x, f.point.y, f.point.scale_px, f.orientation_rad, f.point.weight]);

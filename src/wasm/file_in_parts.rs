@@ -1,7 +1,6 @@
 //! Files that JavaScript reads in parts.
 
-use super::convert::JsResult;
-use super::convert::thrown;
+use super::convert::{JsResult, bytes_of, kind_of, thrown};
 use crate::{Error, FileSource};
 use js_sys::Uint8Array;
 use std::collections::VecDeque;
@@ -96,14 +95,15 @@ impl FileSource for HostFile {
 
 /// All bytes of a file, or a file that is read in parts.
 pub fn file_source(file: &JsValue) -> JsResult<Arc<dyn FileSource>> {
-    if let Some(bytes) = file.dyn_ref::<Uint8Array>() {
-        return Ok(Arc::new(bytes.to_vec()));
+    if let Some(bytes) = bytes_of(file) {
+        return Ok(Arc::new(bytes));
     }
     let file: FileInParts = file.clone().unchecked_into();
     let length = if file.is_object() { file.size() } else { f64::NAN };
     if !(length >= 0.0 && length.fract() == 0.0 && length < 9e15) {
-        let allowed = "Uint8Array, or an object with size and read".to_string();
-        return Err(thrown(Error::InvalidArgument { what: "file", got: format!("a size of {length}"), wanted: allowed }));
+        let allowed = "Uint8Array, ArrayBuffer, or an object with size and read".to_string();
+        let got = if length.is_nan() { kind_of(&file) } else { format!("a size of {length}") };
+        return Err(thrown(Error::InvalidArgument { what: "file", got, wanted: allowed }));
     }
     Ok(Arc::new(HostFile { file, length: length as u64, blocks: Mutex::default() }))
 }

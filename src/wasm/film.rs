@@ -1,6 +1,6 @@
 //! Scans of film as blocks take them.
 
-use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, set, thrown};
+use super::convert::{Bytes, JsResult, numbers, object, pack, read, read_options, rows, set, thrown};
 use crate::formats::image_measurement_table as table;
 use crate::{
     CameraRule, Error, ExifImage, FilmInput, FilmScan, FrameOfScan, ImageMeasurementRow, decode_scan, film_cameras as cameras,
@@ -43,12 +43,13 @@ export interface FrameWanted {
 /// is made.
 #[wasm_bindgen(unchecked_return_type = "FilmFiles")]
 pub fn film_frame(
-    scan: Vec<u8>,
+    scan: &Bytes,
     #[wasm_bindgen(unchecked_param_type = "Given<FilmInput>")] film: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "FrameWanted")] wanted: &JsValue,
 ) -> JsResult<JsValue> {
     let FrameWanted { image, pixel_mm, mask } = FrameWanted::read(wanted)?;
     let film: FilmInput = read_options("film", film)?;
+    let scan = scan.read("file of the scan")?;
     let bands = decode_scan(&scan).map_err(thrown)?;
     let exif = ExifImage::read(&scan, bands.width() as u64, bands.height() as u64);
     // Of large scans memory holds what is needed, and no more.
@@ -105,14 +106,7 @@ impl FrameWanted {
             _ => (wanted.clone(), JsValue::UNDEFINED),
         };
         let Named { image, pixel_mm, mask } = read("wanted", &plain)?;
-        let bytes = |Mask { name, .. }: Mask| match file.dyn_ref::<Uint8Array>() {
-            Some(file) => Ok((name, file.to_vec())),
-            None => {
-                let got =
-                    if file.is_undefined() || file.is_null() { "none".into() } else { file.js_typeof().as_string().unwrap_or_default() };
-                Err(thrown(Error::InvalidArgument { what: "wanted.mask.file", got, wanted: "a Uint8Array".into() }))
-            }
-        };
+        let bytes = |Mask { name, .. }: Mask| Ok::<_, JsValue>((name, file.unchecked_ref::<Bytes>().read("wanted.mask.file")?));
         Ok(Self { image, pixel_mm, mask: mask.map(bytes).transpose()? })
     }
 }

@@ -1,6 +1,6 @@
 //! A finished block in wasm memory: what it writes and shows.
 
-use super::convert::{JsResult, emitting, numbers, object, pack, read, set, thrown, wrong_project};
+use super::convert::{Bytes, JsResult, emitting, numbers, object, pack, read, set, thrown, whole, wrong_project};
 use crate::{
     BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockPlaces, BlockRun, BlockScore, ExportFormat, FileFault, ImagePoint,
     ObservationPart, PointColumns, Project, accuracy_map, block_covariances, block_epipolar_line, check_truth, covariance_table,
@@ -82,8 +82,8 @@ impl FinishedBlock {
 #[wasm_bindgen]
 impl FinishedBlock {
     /// Opens a project file; one that is damaged or of another kind is refused whole.
-    pub fn open(bytes: &[u8]) -> JsResult<FinishedBlock> {
-        match read_project(bytes).map_err(thrown)? {
+    pub fn open(bytes: &Bytes) -> JsResult<FinishedBlock> {
+        match read_project(&bytes.read("file of the project")?).map_err(thrown)? {
             Project::Block(run) => Ok(Self::of(*run)),
             Project::Pair(_) => Err(thrown(wrong_project(FileFault::HoldsPair))),
         }
@@ -162,14 +162,14 @@ impl FinishedBlock {
 
     /// All that is known of a point of the model that is written.
     #[wasm_bindgen(unchecked_return_type = "PointDetail")]
-    pub fn point(&self, point: usize) -> JsResult<JsValue> {
-        point_detail(&self.run, point).map(|detail| pack(&detail)).map_err(thrown)
+    pub fn point(&self, point: f64) -> JsResult<JsValue> {
+        point_detail(&self.run, whole("index of the point", point)?).map(|detail| pack(&detail)).map_err(thrown)
     }
 
     /// The observations of an image.
     #[wasm_bindgen(unchecked_return_type = "ImagePoints")]
-    pub fn image_points(&self, image: usize) -> JsResult<JsValue> {
-        let found = image_points(&self.run, image).map_err(thrown)?;
+    pub fn image_points(&self, image: f64) -> JsResult<JsValue> {
+        let found = image_points(&self.run, whole("index of the image", image)?).map_err(thrown)?;
         let points: Vec<u32> = found.iter().map(|seen| seen.point as u32).collect();
         let parts: Vec<u8> = found.iter().map(|seen| part_code(seen.part)).collect();
         let of_axes =
@@ -186,7 +186,8 @@ impl FinishedBlock {
     }
 
     /// The epipolar line of a place of one image in another one: x, y in px, stride 2, as far as that shows it, from near to far.
-    pub fn epipolar_line(&self, from: usize, x_px: f64, y_px: f64, to: usize) -> JsResult<Vec<f64>> {
+    pub fn epipolar_line(&self, from: f64, x_px: f64, y_px: f64, to: f64) -> JsResult<Vec<f64>> {
+        let (from, to) = (whole("index of the image", from)?, whole("index of the other image", to)?);
         block_epipolar_line(&self.run, from, [x_px, y_px], to).map(|line| line.into_iter().flatten().collect()).map_err(thrown)
     }
 

@@ -1,6 +1,6 @@
 //! Geometry of two views, and matching that it guides.
 
-use super::convert::{JsResult, pack, read_options, rows, set, thrown};
+use super::convert::{Bytes, JsResult, pack, read_options, rows, set, thrown};
 use super::descriptors::pack_matches;
 use crate::{Error, Guide, GuidedOptions, Located, TwoViewOptions, guided_matches as match_guided, two_view as relate};
 use js_sys::{Reflect, Uint32Array};
@@ -31,15 +31,16 @@ pub fn two_view(points: &[f64], #[wasm_bindgen(unchecked_param_type = "Given<Two
 #[wasm_bindgen(unchecked_return_type = "DescriptorMatches")]
 pub fn match_guided_descriptors(
     left_positions: &[f64],
-    left_descriptors: &[u8],
+    left_descriptors: &Bytes,
     right_positions: &[f64],
-    right_descriptors: &[u8],
+    right_descriptors: &Bytes,
     #[wasm_bindgen(unchecked_param_type = "MatchGuide")] guide: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Given<GuidedOptions>")] options: &JsValue,
 ) -> JsResult<JsValue> {
     let (guide, options) = (read_guide(guide)?, read_options::<GuidedOptions>("guided", options)?);
-    let left = Located { positions: rows::<2>("left positions", left_positions)?, descriptors: left_descriptors };
-    let right = Located { positions: rows::<2>("right positions", right_positions)?, descriptors: right_descriptors };
+    let (left_bytes, right_bytes) = (left_descriptors.read("left descriptors")?, right_descriptors.read("right descriptors")?);
+    let left = Located { positions: rows::<2>("left positions", left_positions)?, descriptors: &left_bytes };
+    let right = Located { positions: rows::<2>("right positions", right_positions)?, descriptors: &right_bytes };
     match_guided(left, right, &guide, &options).map(|matches| pack_matches(&matches)).map_err(thrown)
 }
 

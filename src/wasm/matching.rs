@@ -1,9 +1,9 @@
 //! Offsets and matches between two sets of points.
 
-use super::convert::{JsResult, numbers, object, pack, points, read, read_options, rows, set, thrown};
+use super::convert::{Bytes, JsResult, numbers, object, pack, points, read, read_options, rows, set, thrown, whole};
 use super::descriptors::read_pieces;
 use super::orientation::pack_oriented;
-use super::photo::{Photo, pack_points};
+use super::photo::{Photo, pack_points, read_mask};
 use crate::{
     DescribedImage, Descriptor, Error, Expectation, Fit, GreyImage, InterestPoint, LocalFrame, Match, MatchOptions, MatchSet, NoGeometry,
     OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PointCounts, PointSet, Reduced, Rule, Side, TwoView,
@@ -140,8 +140,9 @@ pub fn match_photos(
 
 /// The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.
 #[wasm_bindgen]
-pub fn gradient_candidates(index: usize, left_gradients: &[u8], right_gradients: &[u8], most: usize) -> JsResult<Vec<f64>> {
-    let all = nearest_by_gradients(index, left_gradients, right_gradients, most).map_err(thrown)?;
+pub fn gradient_candidates(index: f64, left_gradients: &Bytes, right_gradients: &Bytes, most: f64) -> JsResult<Vec<f64>> {
+    let (left, right) = (left_gradients.read("left gradients")?, right_gradients.read("right gradients")?);
+    let all = nearest_by_gradients(whole("index of the left point", index)?, &left, &right, whole("most", most)?).map_err(thrown)?;
     Ok(all.iter().flat_map(|c| [c.right as f64, c.measure]).collect())
 }
 
@@ -155,20 +156,21 @@ pub fn epipolar_line(
     y: f64,
     #[wasm_bindgen(unchecked_param_type = "TwoViewModel")] model: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "PairInterior | null")] interior: &JsValue,
-    other_width: usize,
-    other_height: usize,
+    other_width: f64,
+    other_height: f64,
 ) -> JsResult<Vec<f64>> {
+    let size = (whole("width of the other image", other_width)?, whole("height of the other image", other_height)?);
     let side: Side = read("from", from)?;
     let model: TwoViewModel = read("model", model)?;
     let interior: Option<PairInterior> = read("interior", interior)?;
-    let line = line_between(&model, interior.as_ref(), (side, [x, y]), (other_width, other_height));
+    let line = line_between(&model, interior.as_ref(), (side, [x, y]), size);
     Ok(line.into_iter().flatten().collect())
 }
 
 /// The candidates of one left point, the best first: index of the right point and measure, stride 2.
 #[wasm_bindgen]
 pub fn candidates(
-    index: usize,
+    index: f64,
     left_points: &[f64],
     left_descriptors: &[f64],
     right_points: &[f64],
@@ -178,7 +180,7 @@ pub fn candidates(
 ) -> JsResult<Vec<f64>> {
     let (left, right) = (Described::read(left_points, left_descriptors)?, Described::read(right_points, right_descriptors)?);
     let (offset, options) = (read_offset(offset)?, read_options::<MatchOptions>("matching", options)?);
-    let all = candidates_of(index, left.parts(), right.parts(), &offset, &options).map_err(thrown)?;
+    let all = candidates_of(whole("index of the left point", index)?, left.parts(), right.parts(), &offset, &options).map_err(thrown)?;
     Ok(all.iter().flat_map(|c| [c.right as f64, c.measure]).collect())
 }
 
@@ -189,9 +191,10 @@ pub fn match_pair(
     right: &Photo,
     #[wasm_bindgen(unchecked_param_type = "Given<PairInput>")] input: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
-    left_mask: Option<Vec<u8>>,
-    right_mask: Option<Vec<u8>>,
+    left_mask: Option<Bytes>,
+    right_mask: Option<Bytes>,
 ) -> JsResult<JsValue> {
+    let (left_mask, right_mask) = (read_mask(left_mask)?, read_mask(right_mask)?);
     let (input, settings) = (read_options::<PairInput>("input", input)?, read_options::<PairSettings>("settings", settings)?);
     let (left, right) = (left.pair_image(&left_mask)?, right.pair_image(&right_mask)?);
     match_images(left, right, &input, &settings).map(|result| pack_pair(&result)).map_err(thrown)

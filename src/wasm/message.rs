@@ -1,7 +1,7 @@
 //! The texts of messages.
 
-use super::convert::{JsResult, read};
-use crate::Texts;
+use super::convert::{JsResult, read, thrown};
+use crate::{Error, Texts};
 use serde_json::Value;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -38,14 +38,25 @@ export interface Messages {
 }
 "#;
 
+#[wasm_bindgen(typescript_custom_section)]
+const TYPED: &str = r#"
+/**
+ * The text of a message of a family, or, by its name, another text that belongs to it, as its `label`; in English, or in the language of a tag
+ * (`ar`) that there is a catalogue of.
+ */
+export function message<F extends keyof Messages>(family: F, message: Messages[F], attribute?: string | null, language?: string | null): string;
+"#;
+
 /// The text of a message, or, by its name, another text that belongs to it, as its `label`; in English, or in the language of a tag (`ar`)
 /// that there is a catalogue of.
-#[wasm_bindgen]
-pub fn message(
-    #[wasm_bindgen(unchecked_param_type = "keyof Messages")] family: &str,
-    #[wasm_bindgen(unchecked_param_type = "Messages[keyof Messages]")] message: &JsValue,
-    attribute: Option<String>,
-    language: Option<String>,
-) -> JsResult<String> {
-    Ok(Texts::of(language.as_deref().unwrap_or("en")).text_of(family, &read::<Value>("message", message)?, attribute.as_deref()))
+#[wasm_bindgen(skip_typescript)]
+pub fn message(family: &str, message: &JsValue, attribute: Option<String>, language: Option<String>) -> JsResult<String> {
+    let (message, attribute) = (read::<Value>("message", message)?, attribute.as_deref());
+    let id = Texts::id_of(family, &message);
+    if !Texts::english().has(&id, attribute) {
+        let got = attribute.map_or(id.clone(), |attribute| format!("{id}.{attribute}"));
+        let wanted = "a family of messages, and one that belongs to it".into();
+        return Err(thrown(Error::InvalidArgument { what: "message", got, wanted }));
+    }
+    Ok(Texts::of(language.as_deref().unwrap_or("en")).text_of(family, &message, attribute))
 }

@@ -1,6 +1,6 @@
 //! Interior and relative orientation.
 
-use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, set, thrown};
+use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, set, thrown, whole};
 use crate::{
     CameraMm, Error, ExifCamera, Fiducial, FiducialModel, Fit, Interior, KnownPhoto, Match, ModelPoint, Observation, OneImage,
     OrientationOptions, PairCameras, PairInterior, PairVerdict, PhotoInput, PointStatistics, RelativeOrientation, TwoView, judged,
@@ -102,9 +102,10 @@ pub fn assumed_interior(
 /// Why matches (stride 5) between images of these sizes in px have no base: they are one photo twice, or parts of one image. Null where
 /// they are neither.
 #[wasm_bindgen(unchecked_return_type = "NoOrientation | null")]
-pub fn one_image(matches: &[f64], left_width: usize, left_height: usize, right_width: usize, right_height: usize) -> JsResult<JsValue> {
+pub fn one_image(matches: &[f64], left_width: f64, left_height: f64, right_width: f64, right_height: f64) -> JsResult<JsValue> {
     let positions = positions_of(matches)?;
-    let sizes = [(left_width, left_height), (right_width, right_height)];
+    let size = |width, height| Ok::<_, JsValue>((whole("width", width)?, whole("height", height)?));
+    let sizes = [size(left_width, left_height)?, size(right_width, right_height)?];
     Ok(pack(&OneImage::of(&positions, sizes).map(OneImage::reason)))
 }
 
@@ -127,6 +128,10 @@ pub fn interior(
 /// The same rays at a focal length `factor` times as long: two photos of different focal lengths are oriented at one of them.
 #[wasm_bindgen(unchecked_return_type = "Interior")]
 pub fn scaled_interior(#[wasm_bindgen(unchecked_param_type = "Interior")] interior: &JsValue, factor: f64) -> JsResult<JsValue> {
+    if !(factor > 0.0 && factor.is_finite()) {
+        let (got, wanted) = (factor.to_string(), "a number above 0".into());
+        return Err(thrown(Error::InvalidArgument { what: "factor", got, wanted }));
+    }
     Ok(pack(&read::<Interior>("interior", interior)?.scaled(factor)))
 }
 

@@ -1,6 +1,6 @@
 //! Images placed on an orthophoto.
 
-use super::convert::{JsResult, object, options_inside, pack, read, read_options, thrown, wrong_project};
+use super::convert::{Bytes, JsResult, bytes_of, object, options_inside, pack, read, read_options, thrown, whole, wrong_project};
 use super::file_in_parts::file_source;
 use super::finished::FinishedBlock;
 use crate::catalogue::check_call;
@@ -14,8 +14,8 @@ use js_sys::Uint8Array;
 use serde::Deserialize;
 use serde_json::Value;
 use std::io;
+use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
-use wasm_bindgen::{JsCast, JsValue};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -130,10 +130,11 @@ impl OrthophotoReference {
     }
 
     /// How images are placed; those that are absent take their defaults. Finds the points of the orthophoto among which images are sought, and
-    /// gives how many they are.
+    /// gives how many they are. Where they are refused the former ones hold.
     pub fn search(&mut self, #[wasm_bindgen(unchecked_param_type = "Given<PlacingOptions>")] options: &JsValue) -> JsResult<usize> {
-        self.options = read_options::<PlacingOptions>("placing", options)?;
-        let area = SearchArea::new(&self.orthophoto, &self.options).map_err(thrown)?;
+        let options = read_options::<PlacingOptions>("placing", options)?;
+        let area = SearchArea::new(&self.orthophoto, &options).map_err(thrown)?;
+        self.options = options;
         Ok(self.area.insert(area).points())
     }
 
@@ -165,11 +166,11 @@ impl OrthophotoReference {
     pub fn place(
         &mut self,
         name: &str,
-        file: &[u8],
+        file: &Bytes,
         cameras: Option<String>,
         #[wasm_bindgen(unchecked_optional_param_type = "Given<FilmInput> | null")] film: &JsValue,
     ) -> JsResult<JsValue> {
-        let film = read_film(film)?;
+        let (file, film) = (&file.read("file of the image")?[..], read_film(film)?);
         let rules = CameraRules::read(cameras.as_deref()).map_err(thrown)?;
         let image = decode(file, &limits_of(film.is_some())).map_err(thrown)?.grey;
         let exif = ExifImage::read(file, image.width() as u64, image.height() as u64);
@@ -200,18 +201,21 @@ impl OrthophotoReference {
 
     /// Grey values of a part of the picture that was halved so many times: `width` times `height` of them from a column and row of the halved
     /// picture on, 0 where it shows nothing.
-    pub fn picture(&self, column: usize, row: usize, width: usize, height: usize, halvings: usize) -> JsResult<Vec<u8>> {
-        self.orthophoto.shown([column, row], [width, height], u32::try_from(halvings).unwrap_or(u32::MAX)).map_err(thrown)
+    pub fn picture(&self, column: f64, row: f64, width: f64, height: f64, halvings: f64) -> JsResult<Vec<u8>> {
+        let (from, size, halvings) = part_of([column, row, width, height, halvings])?;
+        self.orthophoto.shown(from, size, halvings).map_err(thrown)
     }
 
     /// The same in colours: red, green, blue and alpha of each pixel, alpha 0 where it shows nothing.
-    pub fn colours(&self, column: usize, row: usize, width: usize, height: usize, halvings: usize) -> JsResult<Vec<u8>> {
-        self.orthophoto.colours([column, row], [width, height], u32::try_from(halvings).unwrap_or(u32::MAX)).map_err(thrown)
+    pub fn colours(&self, column: f64, row: f64, width: f64, height: f64, halvings: f64) -> JsResult<Vec<u8>> {
+        let (from, size, halvings) = part_of([column, row, width, height, halvings])?;
+        self.orthophoto.colours(from, size, halvings).map_err(thrown)
     }
 
     /// Orients an image by links that are given, in their order; nothing is matched.
     #[wasm_bindgen(unchecked_return_type = "PlacedImage")]
-    pub fn adjust(&self, name: &str, file: &[u8], #[wasm_bindgen(unchecked_param_type = "ByLinks")] given: &JsValue) -> JsResult<JsValue> {
+    pub fn adjust(&self, name: &str, file: &Bytes, #[wasm_bindgen(unchecked_param_type = "ByLinks")] given: &JsValue) -> JsResult<JsValue> {
+        let file = &file.read("file of the image")?[..];
         let ByLinks { links, placement, cameras, options, film } = read("links", given)?;
         let film: Option<FilmInput> = options_inside("film", film)?;
         let options = options_inside("placing", options)?.unwrap_or_else(|| self.options.clone());
@@ -277,12 +281,18 @@ impl OrthophotoReference {
     }
 
     /// A placed image resampled to the ground, in its colours, as GeoTIFF.
-    pub fn rectified(&self, file: &[u8], #[wasm_bindgen(unchecked_param_type = "Placement")] placement: &JsValue) -> JsResult<Vec<u8>> {
+    pub fn rectified(&self, file: &Bytes, #[wasm_bindgen(unchecked_param_type = "Placement")] placement: &JsValue) -> JsResult<Vec<u8>> {
         let placement: Placement = read("placement", placement)?;
-        let image = decode_bands(file, &limits_of(placement.film.is_some())).map_err(thrown)?;
+        let image = decode_bands(&file.read("file of the image")?, &limits_of(placement.film.is_some())).map_err(thrown)?;
         let rectified = rectify_placed(&image, &placement, &self.orthophoto).map_err(thrown)?;
         write_geotiff(&rectified, self.orthophoto.epsg).map_err(thrown)
     }
+}
+
+/// A part of a picture that was halved: its first column and row, its width and height, and how often.
+fn part_of([column, row, width, height, halvings]: [f64; 5]) -> JsResult<([usize; 2], [usize; 2], u32)> {
+    let from = [whole("column", column)?, whole("row", row)?];
+    Ok((from, [whole("width", width)?, whole("height", height)?], whole("halvings", halvings)? as u32))
 }
 
 /// What the file of an image may ask for: that of a scan of film is the same wherever it is read.
@@ -308,8 +318,9 @@ impl BlockOnOrthophoto {
 
     /// Places an image of the block, by its index, with the camera that the block has adjusted; null for one that is not oriented.
     #[wasm_bindgen(unchecked_return_type = "PlacingVerdict | null")]
-    pub fn place(&mut self, block: &FinishedBlock, index: usize, file: &[u8], reference: &mut OrthophotoReference) -> JsResult<JsValue> {
-        let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
+    pub fn place(&mut self, block: &FinishedBlock, index: f64, file: &Bytes, reference: &mut OrthophotoReference) -> JsResult<JsValue> {
+        let index = whole("index of the image", index)?;
+        let image = decode(&file.read("file of the image")?, &DecodeLimits::default()).map_err(thrown)?.grey;
         let area = reference.taken_area()?;
         let placed = self.links.place(block.run(), index, image.view(), &reference.orthophoto, &area, &reference.options);
         reference.area = Some(area);
@@ -339,8 +350,8 @@ fn pairs<'a>(what: &'static str, numbers: &'a [f64]) -> JsResult<&'a [[f64; 2]]>
 
 /// One height for all, or a file.
 fn read_heights(heights: &JsValue, sidecars: &JsValue) -> JsResult<Heights> {
-    match heights.dyn_ref::<Uint8Array>() {
-        Some(file) => heights_of_file(&file.to_vec(), read_sidecars(sidecars)?).map(Heights::Model).map_err(thrown),
+    match bytes_of(heights) {
+        Some(file) => heights_of_file(&file, read_sidecars(sidecars)?).map(Heights::Model).map_err(thrown),
         None => {
             let height = read("heights", heights)?;
             check_call("heights", height).map_err(thrown)?;
@@ -381,6 +392,10 @@ pub fn placed_tables(
     #[wasm_bindgen(unchecked_param_type = "readonly PlacedImage[]")] placed: &JsValue,
 ) -> JsResult<JsValue> {
     let placed: Vec<PlacedImage> = read("placed images", placed)?;
+    if names.len() != placed.len() {
+        let got = format!("{} names for {} placed images", names.len(), placed.len());
+        return Err(thrown(Error::InvalidArgument { what: "names", got, wanted: "one for each placed image".into() }));
+    }
     let named: Vec<(String, PlacedImage)> = names.into_iter().zip(placed).collect();
     Ok(object([("placed", placed_table(&named).into()), ("links", links_table(&named).into())]))
 }
@@ -448,13 +463,13 @@ impl OrthoMosaic {
     /// pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
     /// adjustment, as the map of the page is.
     pub fn open(
-        project: &[u8],
+        project: &Bytes,
         #[wasm_bindgen(unchecked_param_type = "number | Uint8Array | null")] heights: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Given<Sidecars> | null | undefined")] heights_sidecars: &JsValue,
         gsd: Option<f64>,
         in_adjustment: Option<bool>,
     ) -> JsResult<OrthoMosaic> {
-        let Project::Block(run) = read_project(project).map_err(thrown)? else {
+        let Project::Block(run) = read_project(&project.read("file of the project")?).map_err(thrown)? else {
             return Err(thrown(wrong_project(FileFault::HoldsPair)));
         };
         let given = || read_heights(heights, heights_sidecars);
@@ -487,15 +502,15 @@ impl OrthoMosaic {
     }
 
     /// Adds an image, by its index; one that is not oriented adds nothing. Gives what the file goes on with.
-    pub fn add(&mut self, index: usize, file: &[u8]) -> JsResult<Vec<u8>> {
-        let image = decode_bands(file, &DecodeLimits::default()).map_err(thrown)?;
-        self.mosaic.add(index, &image, &mut self.file).map_err(thrown)?;
+    pub fn add(&mut self, index: f64, file: &Bytes) -> JsResult<Vec<u8>> {
+        let image = decode_bands(&file.read("file of the image")?, &DecodeLimits::default()).map_err(thrown)?;
+        self.mosaic.add(whole("index of the image", index)?, &image, &mut self.file).map_err(thrown)?;
         Ok(std::mem::take(&mut self.file.appended))
     }
 
     /// An image, by its index, that will not be added. Gives what the file goes on with.
-    pub fn leave_out(&mut self, index: usize) -> JsResult<Vec<u8>> {
-        self.mosaic.leave_out(index, &mut self.file).map_err(thrown)?;
+    pub fn leave_out(&mut self, index: f64) -> JsResult<Vec<u8>> {
+        self.mosaic.leave_out(whole("index of the image", index)?, &mut self.file).map_err(thrown)?;
         Ok(std::mem::take(&mut self.file.appended))
     }
 

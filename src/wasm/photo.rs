@@ -1,6 +1,6 @@
 //! An image in wasm memory, and what is found in it.
 
-use super::convert::{JsResult, numbers, object, pack, points, read, read_options, set, thrown};
+use super::convert::{Bytes, JsResult, numbers, object, pack, points, read, read_options, set, thrown, whole};
 use crate::{
     Bands, DecodeLimits, Decoded, DroneRecord, Error, ExifCamera, GreyImage, GreyView, PairImage, PairSettings, PointSet, Reduced,
     ReportImage, Strategy, WindowOptions, decode, describe, describe_image, detect, reduce_to, window_moments,
@@ -61,21 +61,22 @@ pub struct Photo {
 /// Why a file is refused whose first bytes, or the ending of whose name where these say nothing, are those of a kind that is not decoded (HEIC, raw, film, …);
 /// null for all others. 64 bytes tell every kind but raw files that are TIFFs.
 #[wasm_bindgen(unchecked_return_type = "{ kind: string } | null")]
-pub fn refused_kind(name: &str, start: &[u8]) -> JsValue {
-    pack(&crate::refused_kind(name, start))
+pub fn refused_kind(name: &str, start: &Bytes) -> JsResult<JsValue> {
+    Ok(pack(&crate::refused_kind(name, &start.read("start of the file")?)))
 }
 
 #[wasm_bindgen]
 impl Photo {
     /// Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file.
-    pub fn decode(bytes: &[u8]) -> JsResult<Photo> {
-        let Decoded { grey, format, bits_per_sample, camera, drone } = decode(bytes, &DecodeLimits::default()).map_err(thrown)?;
+    pub fn decode(bytes: &Bytes) -> JsResult<Photo> {
+        let bytes = bytes.read("file of the image")?;
+        let Decoded { grey, format, bits_per_sample, camera, drone } = decode(&bytes, &DecodeLimits::default()).map_err(thrown)?;
         Ok(Self { grey, format, bits_per_sample, camera, drone })
     }
 
     /// Takes grey values 0..255, row by row.
-    pub fn from_grey(width: usize, height: usize, grey: Vec<u8>) -> JsResult<Photo> {
-        let grey = GreyImage::new(width, height, grey).map_err(thrown)?;
+    pub fn from_grey(width: f64, height: f64, grey: &Bytes) -> JsResult<Photo> {
+        let grey = GreyImage::new(whole("width", width)?, whole("height", height)?, grey.read("grey values")?).map_err(thrown)?;
         Ok(Self { grey, format: "grey values", bits_per_sample: 8, camera: None, drone: None })
     }
 
@@ -109,8 +110,8 @@ impl Photo {
 
     /// The image halved until its longer side is at most `max_side` px.
     #[wasm_bindgen(unchecked_return_type = "ReducedImage")]
-    pub fn reduced(&self, max_side: usize) -> JsValue {
-        pack_reduced(&reduce_to(self.grey.view(), max_side))
+    pub fn reduced(&self, max_side: f64) -> JsResult<JsValue> {
+        Ok(pack_reduced(&reduce_to(self.grey.view(), whole("longest side", max_side)?)))
     }
 
     /// Finds interest points by the groups `points` and `multiscale` of the settings. Points whose pixel is 0 in the mask, of the image's size
@@ -119,8 +120,9 @@ impl Photo {
     pub fn detect(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
-        mask: Option<Vec<u8>>,
+        mask: Option<Bytes>,
     ) -> JsResult<JsValue> {
+        let mask = read_mask(mask)?;
         let settings = read_options::<PairSettings>("settings", settings)?.resolved();
         let set = detect(self.view(), self.masked(&mask)?, &settings.points, &settings.multiscale).map_err(thrown)?;
         Ok(pack_points(&set))
@@ -131,8 +133,9 @@ impl Photo {
     pub fn describe_points(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
-        mask: Option<Vec<u8>>,
+        mask: Option<Bytes>,
     ) -> JsResult<JsValue> {
+        let mask = read_mask(mask)?;
         let settings: PairSettings = read_options("settings", settings)?;
         let described = describe_image(self.view(), self.masked(&mask)?, &settings).map_err(thrown)?;
         let packed = pack_points(&described.set);
@@ -159,12 +162,12 @@ impl Photo {
     #[wasm_bindgen(unchecked_return_type = "WindowReport")]
     pub fn window_moments(
         &self,
-        col: usize,
-        row: usize,
+        col: f64,
+        row: f64,
         #[wasm_bindgen(unchecked_param_type = "Given<WindowOptions>")] window: &JsValue,
     ) -> JsResult<JsValue> {
         let options: WindowOptions = read_options("window", window)?;
-        self.report(col, row, &options).map_err(thrown)
+        self.report(whole("column", col)?, whole("row", row)?, &options).map_err(thrown)
     }
 }
 
@@ -235,6 +238,11 @@ impl Photo {
             ("invariants", pack(&m.invariants())),
         ]))
     }
+}
+
+/// The pixels of a mask, where there is one.
+pub(super) fn read_mask(mask: Option<Bytes>) -> JsResult<Option<Vec<u8>>> {
+    mask.map(|mask| mask.read("mask")).transpose()
 }
 
 pub(super) fn pack_points(set: &PointSet) -> JsValue {

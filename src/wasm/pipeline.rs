@@ -1,6 +1,6 @@
 //! The run of a block: jobs out, bytes in.
 
-use super::convert::{JsResult, object, pack, read, read_options, thrown};
+use super::convert::{Bytes, JsResult, object, pack, read, read_options, thrown};
 use super::finished::FinishedBlock;
 use crate::{
     CameraRules, ControlTables, Document, Error, Failure, GeoreferencingOptions, Run as Pipeline, RunInput, Task, execute, json, masks_of,
@@ -60,13 +60,13 @@ impl Run {
     }
 
     /// Takes a kept record; one that does not read well is not taken, and the job is still to be done.
-    pub fn found(&mut self, id: u32, record: Vec<u8>) -> JsResult<bool> {
-        self.run.found(id, record).map_err(thrown)
+    pub fn found(&mut self, id: u32, record: &Bytes) -> JsResult<bool> {
+        self.run.found(id, record.read("kept record")?).map_err(thrown)
     }
 
     /// Takes the bytes that came of a job.
-    pub fn complete(&mut self, id: u32, bytes: Vec<u8>) -> JsResult<()> {
-        self.run.complete(id, bytes).map_err(thrown)
+    pub fn complete(&mut self, id: u32, bytes: &Bytes) -> JsResult<()> {
+        self.run.complete(id, bytes.read("bytes of the job")?).map_err(thrown)
     }
 
     /// Takes why a job could not be done: an image or a pair is left out with it, where these are to blame.
@@ -91,7 +91,7 @@ impl Run {
 pub fn execute_job(task: &str, #[wasm_bindgen(unchecked_param_type = "readonly Uint8Array[]")] inputs: &Array) -> JsResult<Vec<u8>> {
     let unreadable = |json_fault| thrown(Error::InvalidJson { document: Document::Task, json_fault });
     let task: Task = json::from_text(task).map_err(unreadable)?;
-    let inputs: Vec<Vec<u8>> = inputs.iter().map(|bytes| bytes.unchecked_into::<Uint8Array>().to_vec()).collect();
+    let inputs = inputs.iter().map(|bytes| bytes.unchecked_ref::<Bytes>().read("inputs")).collect::<JsResult<Vec<_>>>()?;
     execute(&task, &inputs.iter().map(Vec::as_slice).collect::<Vec<_>>()).map_err(thrown)
 }
 

@@ -1,7 +1,7 @@
 //! The report of a pair.
 
-use super::convert::{JsResult, pack, read, read_options, thrown};
-use super::photo::Photo;
+use super::convert::{Bytes, JsResult, pack, read, read_options, thrown};
+use super::photo::{Photo, read_mask};
 use crate::{Error, FiveParameters, PAPER, PairInput, PairSettings, Report as Core, ReportTruth};
 use js_sys::{Float32Array, Reflect};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -38,12 +38,12 @@ impl Report {
         #[wasm_bindgen(unchecked_param_type = "Given<PairInput>")] input: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "ReportTruth | null")] truth: &JsValue,
-        left_mask: Option<Vec<u8>>,
-        right_mask: Option<Vec<u8>>,
+        left_mask: Option<Bytes>,
+        right_mask: Option<Bytes>,
     ) -> JsResult<Report> {
         let [left_name, right_name]: [String; 2] = read("names", names)?;
         let (input, settings) = (read_options::<PairInput>("input", input)?, read_options::<PairSettings>("settings", settings)?);
-        let images = [left.named(left_name, left_mask)?, right.named(right_name, right_mask)?];
+        let images = [left.named(left_name, read_mask(left_mask)?)?, right.named(right_name, read_mask(right_mask)?)?];
         Ok(Self { core: Core::new(images, input, settings, read_truth(truth)?) })
     }
 

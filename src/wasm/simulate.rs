@@ -1,6 +1,6 @@
 //! Simulated flights, and the score of matches by their truth.
 
-use super::convert::{JsResult, object, pack, read, read_options, rows, thrown};
+use super::convert::{Bytes, JsResult, object, pack, read, read_options, rows, thrown, whole};
 use crate::{
     DenseTruth, Flight, GreyImage, MatchScore, Preset, Rightness, check_flight as check, score_matches as score_by_truth, simulate as fly,
     write_png,
@@ -96,12 +96,12 @@ pub fn simulate(#[wasm_bindgen(unchecked_param_type = "Given<Flight>")] flight: 
 /// Writes grey values as a PNG file, with the camera and the position of `exif` where it is given.
 #[wasm_bindgen]
 pub fn grey_png(
-    width: usize,
-    height: usize,
-    grey: Vec<u8>,
+    width: f64,
+    height: f64,
+    grey: &Bytes,
     #[wasm_bindgen(unchecked_optional_param_type = "ExifImage")] exif: &JsValue,
 ) -> JsResult<Vec<u8>> {
-    let image = GreyImage::new(width, height, grey).map_err(thrown)?;
+    let image = GreyImage::new(whole("width", width)?, whole("height", height)?, grey.read("grey values")?).map_err(thrown)?;
     let exif = if exif.is_undefined() { None } else { Some(read("exif", exif)?) };
     Ok(write_png(image.view(), exif.as_ref()))
 }
@@ -112,11 +112,13 @@ pub fn score_matches(
     matches: &[f64],
     left_points: &[f64],
     right_position: &[f32],
-    left_width: usize,
-    left_height: usize,
-    right_width: usize,
-    right_height: usize,
+    left_width: f64,
+    left_height: f64,
+    right_width: f64,
+    right_height: f64,
 ) -> JsResult<JsValue> {
+    let (left_width, left_height) = (whole("left width", left_width)?, whole("left height", left_height)?);
+    let (right_width, right_height) = (whole("right width", right_width)?, whole("right height", right_height)?);
     let matches: Vec<[f64; 4]> = rows::<5>("matches", matches)?.iter().map(|[xl, yl, xr, yr, _]| [*xl, *yl, *xr, *yr]).collect();
     let points: Vec<[f64; 2]> = rows::<3>("left points", left_points)?.iter().map(|[x, y, _]| [*x, *y]).collect();
     let truth = DenseTruth { right_position: right_position.as_chunks::<2>().0, left_width, left_height, right_width, right_height };

@@ -4,9 +4,9 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { runBlock } from '../../pkg/block/index.js';
+import { errorOf, plainError, runBlock } from '../../pkg/block/index.js';
 import { jobs } from '../../pkg/block/jobs.js';
-import '../../pkg/node.js';
+import { message } from '../../pkg/node.js';
 import { photographed } from './blocks.js';
 import { folder, json } from './command.js';
 
@@ -19,7 +19,7 @@ const SOURCES = readdirSync(BLOCK.photos)
 const OPTIONS = { settings: { features: { multiscale: { number: 1200 } } } };
 
 /** @type {Pool} */
-const HERE = { size: 2, run: async (name, input, transfer) => jobs[name](structuredClone(input, { transfer: /** @type {ArrayBuffer[]} */ (transfer) })) };
+const HERE = { size: 2, run: async (name, input, transfer) => jobs[name](structuredClone(input, { transfer })) };
 
 function memory() {
   /** @type {Map<string, Uint8Array>} */
@@ -114,6 +114,67 @@ test('options outside their range end the run, and name themselves', async () =>
   await refused({ features: { multiscale: { contrast: -1 } } }, /multiscale\.contrast is -1; allowed/);
   await refused({ nearest: { ratio: NaN } }, /NaN/);
   await refused({ pears: {} }, /unknown field `pears`/);
+});
+
+test('options, images, pool and store that are none are refused by their names, before anything is read', async () => {
+  const surroundings = { pool: HERE, store: memory() };
+  const read = async () => assert.fail('an image was read');
+  const images = [
+    { name: 'a.png', bytes: read },
+    { name: 'b.png', bytes: read },
+  ];
+  const refused = (/** @type {any} */ sources, /** @type {any} */ options, /** @type {any} */ around, /** @type {RegExp} */ pattern) =>
+    assert.rejects(
+      runBlock(sources, options, around),
+      (/** @type {any} */ error) =>
+        error.name === 'TiepointError' && error.usage && pattern.test(error.message) && error.message === message('error', error.error),
+    );
+  await refused(images, { setting: {} }, surroundings, /^options: setting: unknown field `setting`, expected one of `settings`, `cameras`, `gps`, /);
+  await refused(images, { gps: 'no' }, surroundings, /^gps is no; allowed: use, ignore$/);
+  await refused(images, { cameras: '{}' }, surroundings, /^cameras is \{\}; allowed: \{ name, text \}$/);
+  await refused(images, { masks: ['a.png'] }, surroundings, /^masks\[0\] is a\.png; allowed/);
+  await refused(['a.png', 'b.png'], {}, surroundings, /^images\[0\] is a\.png; allowed: \{ name, bytes \}$/);
+  for (const size of [NaN, 0, 1.5, 257, '2'])
+    await refused(images, {}, { ...surroundings, pool: { ...HERE, size } }, new RegExp(`^pool\\.size is ${size}; allowed: whole numbers from 1 to 256$`));
+  await refused(images, {}, { pool: HERE }, /^store is absent; allowed/);
+  await refused(images, {}, undefined, /^surroundings is absent; allowed/);
+});
+
+test('an image that a worker refuses is skipped and listed, whatever way the refusal took between workers', async () => {
+  const broken = { name: 'broken.png', bytes: async () => new Uint8Array([1, 2, 3]) };
+  const sources = [...SOURCES.slice(0, 2), broken];
+  /** @param {(thrown: unknown) => unknown} carry @returns {Pool} */
+  const across = (carry) => ({
+    size: 2,
+    run: async (name, input, transfer) => {
+      try {
+        return await HERE.run(name, input, transfer);
+      } catch (error) {
+        throw carry(structuredClone(plainError(error)));
+      }
+    },
+  });
+  for (const carry of [(/** @type {any} */ plain) => errorOf(plain), (/** @type {any} */ plain) => plain]) {
+    const run = await runBlock(sources, OPTIONS, { pool: across(carry), store: memory() });
+    const { skipped } = run.overview();
+    assert.deepEqual(
+      skipped.map(({ name }) => name),
+      ['broken.png'],
+    );
+    assert.match(JSON.stringify(skipped), /unsupported-image/);
+    run.free();
+  }
+});
+
+test('an error passes between workers with its name, code and figures, whatever was thrown', () => {
+  const figures = { kind: 'invalid-option' };
+  const refusal = Object.assign(new Error('no'), { name: 'TiepointError', code: 'invalid-option', usage: true, error: figures });
+  const back = errorOf(structuredClone(plainError(refusal)));
+  assert.ok(back instanceof Error);
+  assert.deepEqual({ ...back, message: back.message }, { name: 'TiepointError', message: 'no', code: 'invalid-option', usage: true, error: figures });
+  assert.deepEqual(plainError('lost'), { name: 'Error', message: 'lost' });
+  assert.deepEqual(plainError(undefined), { name: 'Error', message: 'undefined' });
+  assert.deepEqual(plainError(new DOMException('gone', 'AbortError')), { name: 'AbortError', message: 'gone' });
 });
 
 test('two images of one name, and a single image, are refused', async () => {

@@ -3,10 +3,11 @@
  * path that could reach the module (checkout, cargo's registry, standard library) is replaced by a fixed name.
  */
 
-import { mkdirSync, readdirSync, realpathSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, realpathSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { join } from 'node:path';
 import { crateLicences, metadataArgs, treeArgs } from './crates.mjs';
+import { explained } from './glue.mjs';
 import { pinned, ROOT, TARGET } from './paths.mjs';
 import { asked, must } from './process.mjs';
 import { bindgenVersion, cargo, WASM_TARGET, wantedVersion } from './rust.mjs';
@@ -43,6 +44,8 @@ export async function buildWasm(toolchain, programs, out, fast = false) {
   // The callers say where the module lies, so that no bundler guesses a second copy of it.
   const bindgen = ['--target', 'web', '--omit-default-module-path', '--remove-name-section', '--remove-producers-section'];
   await must(programs.bindgen, [...bindgen, '--out-dir', out, '--out-name', 'tiepoint', compiled], { quiet: true });
+  const glue = join(out, 'tiepoint.js');
+  writeFileSync(glue, explained(readFileSync(glue, 'utf8')));
   if (!fast) await optimise(join(out, 'tiepoint_bg.wasm'));
   const record = { rustc: toolchain.rustc, wasm_bindgen: bindgenVersion(), binaryen: pinned('binaryen') };
   writeFileSync(join(out, 'BUILD.json'), `${JSON.stringify(record, null, 2)}\n`);

@@ -5,7 +5,7 @@ use crate::camera::distortion::fitted_terms;
 use crate::camera::origin::{CameraCaution, CameraOrigin};
 use crate::camera::px::Camera;
 use crate::camera::same::{MOST_CONTRADICTION, is_near};
-use crate::camera::sensors::sensor_mm;
+use crate::camera::sensors::{NOMINAL_PIXEL_MM, sensor_mm};
 use crate::camera::xmp::{DjiLens, Pix4dLens, Projection, Xmp};
 use crate::{CameraUncertainty, Location};
 use serde::{Deserialize, Serialize};
@@ -41,8 +41,6 @@ pub struct ExifCamera {
     pub cautions: Vec<CameraCaution>,
 }
 
-/// Side of a pixel where nobody knows it, mm.
-const NOMINAL_PIXEL_MM: f64 = 0.001;
 /// Pixels of the focal plane by those of the 35 mm equivalent: a square of a 3:2 frame has 0.78, and a photo of half the size 0.5.
 const CROPPED: std::ops::RangeInclusive<f64> = 0.65..=1.2;
 /// Formats that differ by less, as a share, are the same after rounding to whole px, or to whole blocks of 16 px.

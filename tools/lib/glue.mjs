@@ -1,0 +1,28 @@
+/** The generated JavaScript of the module, with what a caller does wrong said in words of the package. */
+
+const UNLOADED = 'the module is not loaded: call the default export of tiepoint and wait for it first';
+const FREED = 'the object was freed, or moved into another one: make a new one';
+
+/** Pieces of generated code, how often each stands there, and what takes its place. @type {readonly (readonly [string, number, string])[]} */
+const PIECES = [
+  [
+    'let wasmModule, wasmInstance, wasm;',
+    1,
+    `const unloaded = new Proxy({}, { get() { throw new Error('${UNLOADED}'); } });\nlet wasmModule, wasmInstance, wasm = unloaded;`,
+  ],
+  ['if (wasm !== undefined) return wasm;', 2, 'if (wasm !== unloaded) return wasm;'],
+  [
+    'throw new Error(getStringFromWasm0(arg0, arg1));',
+    1,
+    `const words = getStringFromWasm0(arg0, arg1);\n            throw new Error(words === 'null pointer passed to rust' ? '${FREED}' : words);`,
+  ],
+];
+
+/** @param {string} code as the binding generator writes it @returns {string} */
+export function explained(code) {
+  return PIECES.reduce((made, [piece, times, other]) => {
+    const found = made.split(piece).length - 1;
+    if (found !== times) throw new Error(`the generated JavaScript has "${piece}" ${found} times; ${times} were expected: see tools/lib/glue.mjs`);
+    return made.replaceAll(piece, () => other);
+  }, code);
+}
