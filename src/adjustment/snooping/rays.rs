@@ -24,6 +24,24 @@ const LEAST_CHECKED: f64 = 0.1;
 /// Below this redundancy the median alone is no estimate.
 const FEW: i64 = 20;
 
+/// Rays of which no standard error is stated, with their verdicts.
+struct Unstated {
+    rays: Vec<Option<[Judged; 2]>>,
+    verdicts: Vec<ObservationVerdict>,
+}
+
+impl Unstated {
+    /// The coordinates of those that take part.
+    fn accepted(&self) -> impl Iterator<Item = &Judged> {
+        let accepted = self.rays.iter().zip(&self.verdicts).filter(|(_, verdict)| **verdict == ObservationVerdict::Accepted);
+        accepted.filter_map(|(judged, _)| judged.as_ref()).flatten()
+    }
+
+    fn redundancy(&self) -> f64 {
+        self.accepted().map(|judged| judged.redundancy).sum()
+    }
+}
+
 impl Course<'_> {
     /// The verdict on a ray by the place of its point alone.
     pub fn in_front(&self, ray: usize) -> ObservationVerdict {
@@ -87,8 +105,8 @@ impl Course<'_> {
     /// the smaller the σ is that they are compared with: it would fall from round to round, and the others be rejected one after the other.
     pub fn scale(&self, rays: &[Option<[Judged; 2]>], adjusted: &Adjusted, redundancy: i64) -> f64 {
         let limit = self.options.limit();
-        if let Some((own, verdicts)) = self.unstated(rays) {
-            return sigma_by_median(&own, &verdicts, self.unstated_at_start, limit);
+        if let Some(own) = self.unstated(rays) {
+            return sigma_by_median(&own.rays, &own.verdicts, self.unstated_at_start, limit);
         }
         let by_median = sigma_by_median(rays, &self.verdicts, self.rays_at_start, limit);
         // A median of a few residuals may be far too small by chance, more easily than their σ.
@@ -97,25 +115,21 @@ impl Course<'_> {
 
     /// σ₀ by least squares of all observations, or of the rays of which none is stated, as [`scale`](Self::scale) has it.
     pub fn unit_error(&self, rays: &[Option<[Judged; 2]>], adjusted: &Adjusted) -> f64 {
-        self.unstated(rays).map_or(adjusted.sigma, |(own, verdicts)| {
-            let accepted = own.iter().zip(&verdicts).filter(|(_, verdict)| **verdict == ObservationVerdict::Accepted);
-            let judged = || accepted.clone().filter_map(|(judged, _)| judged.as_ref()).flatten();
-            let squares: f64 = judged().map(|j| j.standardised * j.standardised * j.redundancy).sum();
-            (squares / judged().map(|j| j.redundancy).sum::<f64>()).sqrt()
+        self.unstated(rays).map_or(adjusted.sigma, |own| {
+            let squares: f64 = own.accepted().map(|j| j.standardised * j.standardised * j.redundancy).sum();
+            (squares / own.redundancy()).sqrt()
         })
     }
 
     /// The rays of which no standard error is stated, where there are others and these carry a σ of their own.
-    fn unstated(&self, rays: &[Option<[Judged; 2]>]) -> Option<(Vec<Option<[Judged; 2]>>, Vec<ObservationVerdict>)> {
+    fn unstated(&self, rays: &[Option<[Judged; 2]>]) -> Option<Unstated> {
         if !self.weights.has_known_rays {
             return None;
         }
         let of_block = self.block.rays.iter().zip(rays.iter().zip(&self.verdicts));
         let own = of_block.filter(|(ray, _)| ray.sigma_px.is_none()).map(|(_, (judged, verdict))| (*judged, *verdict));
-        let (own, verdicts): (Vec<_>, Vec<_>) = own.unzip();
-        let accepted = own.iter().zip(&verdicts).filter(|(_, verdict)| **verdict == ObservationVerdict::Accepted);
-        let freedom: f64 = accepted.filter_map(|(judged, _)| judged.as_ref()).flatten().map(|j| j.redundancy).sum();
-        (freedom >= FEW as f64).then_some((own, verdicts))
+        let (rays, verdicts) = own.unzip();
+        Some(Unstated { rays, verdicts }).filter(|own| own.redundancy() >= FEW as f64)
     }
 
     /// Rays of a known standard error are judged by how they scatter, where that is more: it may be stated too small, as that of positions.
