@@ -1,6 +1,7 @@
 /** The calls of a block that workers answer, and what passes between a run and the page while it goes on. */
 import type { Frame, FrameInput, FramePlan, PlanInput } from './film';
 import type { BlockJob, RunOptions, Step } from '../../../pkg/block/index.js';
+import type { PlainError } from '../../../pkg/block/wire.js';
 import type {
   BlockEdit,
   BlockFlight,
@@ -26,15 +27,8 @@ import type { BlockFile } from '../state/state';
 import type { ViewGround } from '../state/ground';
 import type { BlockView } from '../state/view';
 
-/** What the crate says against an image or a pair; the run goes on without it. */
-export interface Refusal {
-  message: string;
-  code: string;
-  /** Whether the options are to blame, and with them the whole run. */
-  usage: boolean;
-}
-
-export type JobAnswer = { made: Uint8Array } | { refusal: Refusal };
+/** `refusal`: what the crate says against an image or a pair; the run goes on without it. */
+export type JobAnswer = { made: Uint8Array } | { refusal: PlainError };
 
 /** What a run tells the page. */
 export type FromRun =

@@ -1,6 +1,7 @@
 /** What a worker does for a block. */
 import type { Handlers } from '../../shared/engine/messages';
 import { jobs } from '../../../pkg/block/jobs.js';
+import { plainError } from '../../../pkg/block/wire.js';
 import type { BlockJob } from '../../../pkg/block/index.js';
 import type { BlockCalls, JobAnswer } from './calls';
 import { linksFinish, linksOpen, linksPlace } from './block-links';
@@ -45,8 +46,7 @@ async function blockJob(job: BlockJob): Promise<JobAnswer> {
     return { made: await jobs.block(job) };
   } catch (error) {
     if (!(error instanceof Error) || error.name !== 'TiepointError') throw error;
-    const { message, code = '', usage = false } = error as Error & { code?: string; usage?: boolean };
-    return { refusal: { message, code, usage } };
+    return { refusal: plainError(error) };
   }
 }
 

@@ -1,11 +1,12 @@
 /** The block in a worker: runs it, its jobs done elsewhere and its records kept by the page, and holds what came of it for exports. */
 import { runBlock } from '../../../pkg/block/index.js';
 import type { BlockJob, Pool, Store as RecordStore } from '../../../pkg/block/index.js';
+import { errorOf } from '../../../pkg/block/wire.js';
 import { FinishedBlock } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockEdit, BlockModel, BlockPlaces, PlaceAgain, PointDetail } from '../../../pkg/wasm/tiepoint.js';
 import type { ImagePoints, ViewObservations } from '../state/facts';
 import type { ViewGround } from '../state/ground';
-import type { ExportKind, FromRun, JobAnswer, MadeFile, OpenedBlock, Refusal, RunInput, ToRun } from './calls';
+import type { ExportKind, FromRun, JobAnswer, MadeFile, OpenedBlock, RunInput, ToRun } from './calls';
 import type { BlockFile } from '../state/state';
 import { Coming } from './coming';
 import { groundOf } from './ground';
@@ -190,7 +191,7 @@ class Link {
   }
 
   pool(size: number): Pool {
-    return { size, run: (_, job, transfer) => this.ask(job, transfer as ArrayBuffer[]) };
+    return { size, run: (_, job, transfer) => this.ask(job, transfer) };
   }
 
   private ask(job: BlockJob, transfer: ArrayBuffer[]): Promise<Uint8Array> {
@@ -219,16 +220,11 @@ class Link {
 
 function settle(waiting: Waiting | undefined, answer: JobAnswer): void {
   if ('made' in answer) waiting?.resolve(answer.made);
-  else waiting?.reject(refused(answer.refusal));
+  else waiting?.reject(errorOf(answer.refusal));
 }
 
 function named(name: string, message: string): Error {
   const error = new Error(message);
   error.name = name;
   return error;
-}
-
-/** The crate's error as it was in the worker that threw it. */
-function refused({ message, code, usage }: Refusal): Error {
-  return Object.assign(named('TiepointError', message), { code, usage });
 }
