@@ -4199,8 +4199,19 @@ var OF_FIDUCIALS = [
 	"x_mm",
 	"y_mm"
 ];
+var OF_IMAGES = /^(?:image|img|photo|picture|frame|bild|foto)/iu;
+var OF_HEIGHTS = /^(?:z|h|up|height|alt|elev|hoehe|höhe)/iu;
+var COORDINATE = /^[+-]?\d+\.\d/u;
+var LEAST_NUMBERS = 3;
+function linesOf$1(text) {
+	return text.split(/\r?\n/u).filter((line) => line.trim() !== "" && !line.startsWith("#"));
+}
 function columnsOf$1(text) {
-	return (text.split(/\r?\n/u).find((line) => line.trim() !== "" && !line.startsWith("#")) ?? "").split(/[,;\t]/u).map((column) => column.trim());
+	return (linesOf$1(text)[0] ?? "").split(/[,;\t]/u).map((column) => column.trim());
+}
+function hasNumbers(text) {
+	const lines = linesOf$1(text);
+	return 2 * lines.filter((line) => line.split(/[\s,;]+/u).filter((cell) => cell !== "" && Number.isFinite(Number(cell))).length >= LEAST_NUMBERS).length > lines.length;
 }
 function hasFiducials(text) {
 	const columns = columnsOf$1(text);
@@ -4208,10 +4219,15 @@ function hasFiducials(text) {
 }
 function kindOfTable(text, images) {
 	if (hasFiducials(text)) return { kind: "fiducials" };
-	const areImages = (names) => names.length > 0 && names.every((name) => images.has(name) || IMAGE_FILE.test(name));
-	try {
-		if (areImages(parse_image_measurements(text).map(({ image }) => image))) return { kind: "marks" };
-	} catch {}
+	if (hasNumbers(text) && !/[,;\t]/u.test(text)) return {
+		kind: "neither",
+		why: say("its-values-stand-between-spaces")
+	};
+	const stems = new Set([...images].map((name) => name.replace(/\.[^.]*$/u, "").toLowerCase()));
+	const isImage = (name) => images.has(name) || IMAGE_FILE.test(name) || stems.has(name.toLowerCase());
+	const areImages = (names) => names.length > 0 && names.every(isImage);
+	const marks = measurementsOf(text);
+	if ("rows" in marks && areImages(marks.rows.map(({ image }) => image))) return { kind: "marks" };
 	try {
 		const names = parse_ground_control_points(text).map(({ name }) => name);
 		if (names.length === 0) return {
@@ -4230,9 +4246,24 @@ function kindOfTable(text, images) {
 	} catch (error) {
 		return {
 			kind: "neither",
-			why: messageOf(error)
+			why: isOfImages(text, marks) ? whyNoMarks(marks) : messageOf(error)
 		};
 	}
+}
+function measurementsOf(text) {
+	try {
+		return { rows: parse_image_measurements(text) };
+	} catch (error) {
+		return { why: messageOf(error) };
+	}
+}
+function isOfImages(text, marks) {
+	const columns = columnsOf$1(text);
+	if (columns.some((column) => OF_IMAGES.test(column))) return true;
+	return "rows" in marks && marks.rows.length > 0 && marks.rows.every(({ point }) => !COORDINATE.test(point)) && !columns.some((column) => OF_HEIGHTS.test(column));
+}
+function whyNoMarks(marks) {
+	return "why" in marks ? marks.why : say("its-first-column-names-no-images", { name: marks.rows.find(({ image }) => !IMAGE_FILE.test(image))?.image ?? "" });
 }
 // www/block/files/files.ts
 var PROJECT = /\.tiepoint$/iu;
@@ -4495,8 +4526,9 @@ var BlockFiles = class {
 		const aside = [];
 		let count = 0;
 		for (const file of files) {
-			const found = kindOfTable(await file.text(), names);
-			if (found.kind === "neither" && !CSV.test(file.name)) continue;
+			const text = await file.text();
+			const found = kindOfTable(text, names);
+			if (found.kind === "neither" && !CSV.test(file.name) && !hasNumbers(text)) continue;
 			count += 1;
 			if (found.kind === "neither") aside.push(say("is-no-table-of", {
 				name: file.name,

@@ -27,10 +27,7 @@ var BlockOnOrthophoto = class {
 	place(block, index, file, reference) {
 		_assertClass(block, FinishedBlock);
 		_assertClass(reference, OrthophotoReference);
-		const val2 = +index;
-		const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.blockonorthophoto_place(this.__wbg_ptr, block.__wbg_ptr, val2, ptr0, len0, reference.__wbg_ptr);
+		const ret = wasm.blockonorthophoto_place(this.__wbg_ptr, block.__wbg_ptr, index, file, reference.__wbg_ptr);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -144,21 +141,9 @@ var EpipolarPair = class EpipolarPair {
 		return v1;
 	}
 	static open(project, names) {
-		let ptr0, len0, ptr1, len1;
-		try {
-			ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = isLikeNone(names) ? 0 : passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-			len1 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr1) {
-				wasm.__externref_drop_slice(ptr1, len1);
-				wasm.__wbindgen_free(ptr1, len1 * 4, 4);
-			}
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-			throw e;
-		}
-		const ret = wasm.epipolarpair_open(ptr0, len0, ptr1, len1);
+		var ptr0 = isLikeNone(names) ? 0 : passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+		var len0 = WASM_VECTOR_LEN;
+		const ret = wasm.epipolarpair_open(project, ptr0, len0);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return EpipolarPair.__wrap(ret[0]);
 	}
@@ -170,18 +155,7 @@ var EpipolarPair = class EpipolarPair {
 		return takeFromExternrefTable0(ret[0]);
 	}
 	resample_files(left, right) {
-		let ptr0, len0, ptr1, len1;
-		try {
-			ptr0 = passArray8ToWasm0(left, wasm.__wbindgen_malloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = passArray8ToWasm0(right, wasm.__wbindgen_malloc);
-			len1 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-			throw e;
-		}
-		const ret = wasm.epipolarpair_resample_files(this.__wbg_ptr, ptr0, len0, ptr1, len1);
+		const ret = wasm.epipolarpair_resample_files(this.__wbg_ptr, left, right);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -270,9 +244,7 @@ var FinishedBlock = class FinishedBlock {
 		return wasm.finishedblock_on_orthophoto(this.__wbg_ptr);
 	}
 	static open(bytes) {
-		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.finishedblock_open(ptr0, len0);
+		const ret = wasm.finishedblock_open(bytes);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return FinishedBlock.__wrap(ret[0]);
 	}
@@ -343,14 +315,11 @@ var OrthoMosaic = class OrthoMosaic {
 		wasm.__wbg_orthomosaic_free(ptr, 0);
 	}
 	add(index, file) {
-		const val2 = +index;
-		const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.orthomosaic_add(this.__wbg_ptr, val2, ptr0, len0);
+		const ret = wasm.orthomosaic_add(this.__wbg_ptr, index, file);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-		var v3 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-		return v3;
+		return v1;
 	}
 	finish() {
 		const ptr = this.__destroy_into_raw();
@@ -382,10 +351,7 @@ var OrthoMosaic = class OrthoMosaic {
 		return v1;
 	}
 	static open(project, heights, heights_sidecars, gsd, in_adjustment) {
-		const val2 = +(isLikeNone(gsd) ? 0 : gsd);
-		const ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.orthomosaic_open(ptr0, len0, heights, heights_sidecars, !isLikeNone(gsd), val2, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
+		const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, !isLikeNone(gsd), isLikeNone(gsd) ? 0 : gsd, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return OrthoMosaic.__wrap(ret[0]);
 	}
@@ -424,18 +390,9 @@ var OrthophotoReference = class OrthophotoReference {
 		wasm.__wbg_orthophotoreference_free(ptr, 0);
 	}
 	adjust(name, file, given) {
-		let ptr0, len0, ptr1, len1;
-		try {
-			ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-			len1 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-			throw e;
-		}
-		const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, given);
+		const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, file, given);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -499,32 +456,27 @@ var OrthophotoReference = class OrthophotoReference {
 		return v1;
 	}
 	place(name, file, cameras, film) {
-		let ptr0, len0, ptr1, len1, ptr2, len2;
+		let ptr0, len0, ptr1, len1;
 		try {
 			ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 			len0 = WASM_VECTOR_LEN;
-			ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+			ptr1 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 			len1 = WASM_VECTOR_LEN;
-			ptr2 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			len2 = WASM_VECTOR_LEN;
 		} catch (e) {
-			if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
 			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
 			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
 			throw e;
 		}
-		const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2, film);
+		const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, file, ptr1, len1, film);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
 	rectified(file, placement) {
-		const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.orthophotoreference_rectified(this.__wbg_ptr, ptr0, len0, placement);
+		const ret = wasm.orthophotoreference_rectified(this.__wbg_ptr, file, placement);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-		var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-		return v2;
+		return v1;
 	}
 	search(options) {
 		const ret = wasm.orthophotoreference_search(this.__wbg_ptr, options);
@@ -555,9 +507,7 @@ var Photo = class Photo {
 		wasm.__wbg_photo_free(ptr, 0);
 	}
 	static decode(bytes) {
-		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.photo_decode(ptr0, len0);
+		const ret = wasm.photo_decode(bytes);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return Photo.__wrap(ret[0]);
 	}
@@ -571,32 +521,22 @@ var Photo = class Photo {
 		return v2;
 	}
 	describe_points(settings, mask) {
-		var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
-		var len0 = WASM_VECTOR_LEN;
-		const ret = wasm.photo_describe_points(this.__wbg_ptr, settings, ptr0, len0);
+		const ret = wasm.photo_describe_points(this.__wbg_ptr, settings, isLikeNone(mask) ? 0 : addToExternrefTable0(mask));
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
 	detect(settings, mask) {
-		var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
-		var len0 = WASM_VECTOR_LEN;
-		const ret = wasm.photo_detect(this.__wbg_ptr, settings, ptr0, len0);
+		const ret = wasm.photo_detect(this.__wbg_ptr, settings, isLikeNone(mask) ? 0 : addToExternrefTable0(mask));
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
 	features(options, mask) {
-		var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
-		var len0 = WASM_VECTOR_LEN;
-		const ret = wasm.photo_features(this.__wbg_ptr, options, ptr0, len0);
+		const ret = wasm.photo_features(this.__wbg_ptr, options, isLikeNone(mask) ? 0 : addToExternrefTable0(mask));
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
 	static from_grey(width, height, grey) {
-		const val2 = +width;
-		const val3 = +height;
-		const ptr0 = passArray8ToWasm0(grey, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.photo_from_grey(val2, val3, ptr0, len0);
+		const ret = wasm.photo_from_grey(width, height, grey);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return Photo.__wrap(ret[0]);
 	}
@@ -613,7 +553,9 @@ var Photo = class Photo {
 		return wasm.photo_info(this.__wbg_ptr);
 	}
 	reduced(max_side) {
-		return wasm.photo_reduced(this.__wbg_ptr, max_side);
+		const ret = wasm.photo_reduced(this.__wbg_ptr, max_side);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
 	}
 	get width() {
 		return wasm.photo_width(this.__wbg_ptr) >>> 0;
@@ -658,18 +600,7 @@ var Report = class {
 	constructor(left, right, names, input, settings, truth, left_mask, right_mask) {
 		_assertClass(left, Photo);
 		_assertClass(right, Photo);
-		let ptr0, len0, ptr1, len1;
-		try {
-			ptr0 = isLikeNone(left_mask) ? 0 : passArray8ToWasm0(left_mask, wasm.__wbindgen_malloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = isLikeNone(right_mask) ? 0 : passArray8ToWasm0(right_mask, wasm.__wbindgen_malloc);
-			len1 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-			throw e;
-		}
-		const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, ptr0, len0, ptr1, len1);
+		const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, isLikeNone(left_mask) ? 0 : addToExternrefTable0(left_mask), isLikeNone(right_mask) ? 0 : addToExternrefTable0(right_mask));
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		this.__wbg_ptr = ret[0];
 		ReportFinalization.register(this, this.__wbg_ptr, this);
@@ -697,10 +628,7 @@ var Run = class {
 		wasm.__wbg_run_free(ptr, 0);
 	}
 	complete(id, bytes) {
-		const val2 = +id;
-		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.run_complete(this.__wbg_ptr, val2, ptr0, len0);
+		const ret = wasm.run_complete(this.__wbg_ptr, id, bytes);
 		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 	}
 	failed(id, failure) {
@@ -714,10 +642,7 @@ var Run = class {
 		return FinishedBlock.__wrap(ret[0]);
 	}
 	found(id, record) {
-		const val2 = +id;
-		const ptr0 = passArray8ToWasm0(record, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.run_found(this.__wbg_ptr, val2, ptr0, len0);
+		const ret = wasm.run_found(this.__wbg_ptr, id, record);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return ret[0] !== 0;
 	}
@@ -1176,23 +1101,16 @@ function placing_parameters() {
 	return wasm.placing_parameters();
 }
 function project_kind(start) {
-	const ptr0 = passArray8ToWasm0(start, wasm.__wbindgen_malloc);
-	const len0 = WASM_VECTOR_LEN;
-	return wasm.project_kind(ptr0, len0);
+	const ret = wasm.project_kind(start);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
 }
 function refused_kind(name, start) {
-	let ptr0, len0, ptr1, len1;
-	try {
-		ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-		len0 = WASM_VECTOR_LEN;
-		ptr1 = passArray8ToWasm0(start, wasm.__wbindgen_malloc);
-		len1 = WASM_VECTOR_LEN;
-	} catch (e) {
-		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-		throw e;
-	}
-	return wasm.refused_kind(ptr0, len0, ptr1, len1);
+	const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.refused_kind(ptr0, len0, start);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
 }
 function resolved(settings) {
 	const ret = wasm.resolved(settings);
@@ -1285,7 +1203,8 @@ function __wbg_get_imports() {
 				getDataViewMemory0().setInt32((arg0 >>> 0) + 0, ptr1, true);
 			},
 			__wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
-				throw new Error(getStringFromWasm0(arg0, arg1));
+				const words = getStringFromWasm0(arg0, arg1);
+				throw new Error(words === "null pointer passed to rust" ? "the object was freed, or moved into another one: make a new one" : words);
 			},
 			__wbg___wbindgen_typeof_ee4990276e02f607: function(arg0) {
 				return typeof arg0;
@@ -1366,6 +1285,9 @@ function __wbg_get_imports() {
 					result = false;
 				}
 				return result;
+			},
+			__wbg_isArray_bcf1376d0d732d08: function(arg0) {
+				return Array.isArray(arg0);
 			},
 			__wbg_length_03a2b32a9178fe11: function(arg0) {
 				return arg0.length;
@@ -1491,6 +1413,9 @@ function __wbg_get_imports() {
 			},
 			__wbg_stroke_19fa3f3ec093bc25: function(arg0) {
 				arg0.stroke();
+			},
+			__wbg_toStringTag_1bdd39ac5d866229: function() {
+				return Symbol.toStringTag;
 			},
 			__wbindgen_generic_0000000000000001: function(arg0, arg1) {
 				return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
@@ -1775,7 +1700,10 @@ if (!("encodeInto" in cachedTextEncoder)) cachedTextEncoder.encodeInto = functio
 	};
 };
 var WASM_VECTOR_LEN = 0;
-var wasm;
+var unloaded = new Proxy({}, { get() {
+	throw new Error("the module is not loaded: call the default export of tiepoint and wait for it first");
+} });
+var wasm = unloaded;
 function __wbg_finalize_init(instance, module) {
 	wasm = instance.exports;
 	cachedDataViewMemory0 = null;
@@ -1818,7 +1746,7 @@ async function __wbg_load(module, imports) {
 }
 var __wbg_init_promise;
 async function __wbg_init(module_or_path) {
-	if (wasm !== void 0) return wasm;
+	if (wasm !== unloaded) return wasm;
 	if (__wbg_init_promise === void 0) {
 		__wbg_init_promise = __wbg_init_once(module_or_path);
 		__wbg_init_promise.catch(() => {
@@ -5588,16 +5516,28 @@ function answerCard(host, line, buttons, prefix) {
 	press.className = "primary";
 	const others = h("span", { class: "answer-others" });
 	let offered = "";
+	const more = button("", `${prefix}more`, () => uncover(!host.classList.contains("is-open")));
+	more.className = "link uncover";
 	line.after(figures);
+	const uncover = (open) => {
+		host.classList.toggle("is-open", open);
+		more.textContent = say(open ? "less-of-the-answer" : "more-of-the-answer");
+		more.setAttribute("aria-expanded", String(open));
+	};
 	const scrolled = new ResizeObserver((entries) => {
-		for (const { target } of entries) byKeys(target);
+		for (const { target } of entries) if (target !== line) byKeys(target);
+		const isCut = [host, ...line.children].some(({ clientHeight, scrollHeight }) => clientHeight > 0 && scrollHeight > clientHeight + 1);
+		more.hidden = !host.classList.contains("is-open") && !isCut;
 	});
+	more.hidden = true;
+	uncover(false);
 	buttons.prepend(press, others);
+	buttons.append(more);
 	let height = 0;
 	new ResizeObserver(() => {
-		if (host.dataset.kind !== "busy") ({height} = host.getBoundingClientRect());
+		if (host.dataset.kind !== "busy" && !host.classList.contains("is-open")) ({height} = host.getBoundingClientRect());
 	}).observe(host);
-	return ({ kind, verdict, text, more = "", said = "", problem = "", figures: found = [], next = null, others: now = [] }) => {
+	return ({ kind, verdict, text, more: after = "", said = "", problem = "", figures: found = [], next = null, others: now = [] }) => {
 		instead = now;
 		host.dataset.kind = kind;
 		host.style.minHeight = kind === "busy" && height > 0 ? `${String(height)}px` : "";
@@ -5605,18 +5545,19 @@ function answerCard(host, line, buttons, prefix) {
 		line.dataset.kind = kind;
 		if (line.textContent !== [
 			text,
-			more,
+			after,
 			said,
 			problem
 		].filter((part) => part !== "").join(" ")) {
 			const rest = [
-				h("span", {}, more),
+				h("span", {}, after),
 				h("span", { class: "done-since" }, said),
 				h("span", { class: "wrong" }, problem)
 			].filter((part) => part.textContent !== "");
 			fill(line, h("strong", {}, text), ...rest.flatMap((part) => [" ", part]));
 			scrolled.disconnect();
-			for (const part of rest) scrolled.observe(part);
+			uncover(false);
+			for (const part of [line, ...rest]) scrolled.observe(part);
 		}
 		fill(figures, ...found.map(({ value, label }) => h("div", {}, h("dt", {}, label), h("dd", {}, value))));
 		figures.hidden = found.length === 0;
@@ -5761,6 +5702,21 @@ var UNMEASURED = {
 };
 var isMeasured = ({ col, row }) => Number.isFinite(col) && Number.isFinite(row);
 var isWhole$1 = (mark) => isMeasured(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm);
+function withCoordinatesOf(marks, others) {
+	const known = ({ x_mm, y_mm }) => Number.isFinite(x_mm) && Number.isFinite(y_mm);
+	let isSame = true;
+	const all = Array.from({ length: Math.max(marks.length, others.length) }, (_, i) => {
+		const [own, other] = [marks[i] ?? UNMEASURED, others[i]];
+		if (other === void 0 || !known(other) || known(own)) return own;
+		isSame = false;
+		return {
+			...own,
+			x_mm: other.x_mm,
+			y_mm: other.y_mm
+		};
+	});
+	return isSame ? null : all;
+}
 var wholeMarks = ({ fiducials }) => fiducials.filter(isWhole$1);
 var measuredPhoto = (photo) => ({
 	...photo,
@@ -5812,7 +5768,7 @@ var assumed = remember((geometry, facts) => geometry === null ? null : assumed_i
 function assumedInterior(state) {
 	const cameras = pairCameras(state);
 	const { match } = state.results;
-	if (!("missing" in cameras) || cameras.missing.kind === "panorama" || match === void 0) return null;
+	if (!("missing" in cameras) || cameras.missing.kind === "panorama" || state.camera !== null || match === void 0) return null;
 	return assumed(match.value.geometry, photoFacts(state));
 }
 function interiorInUse(state) {
@@ -6676,7 +6632,10 @@ function withResults(state, project, beside, times) {
 		found: match
 	};
 	if (used.match.matches.length === output.match.matches.length) {
-		put("orientation", output.orientation, used);
+		put("orientation", output.orientation, {
+			...used,
+			key: next.results.match?.key ?? ""
+		});
 		put("score", truth?.score);
 	}
 	return next;
@@ -6855,7 +6814,8 @@ function shownPair(state) {
 	const made = state.results.match?.value ?? null;
 	const edited = made !== null && found !== null && right !== null && made.rules.length * 3 === found.length && matchIsOf(made, found, right) ? editedPair(state) : null;
 	const result = wantedKeys(state).orientation !== null && !isBarred(state, "orientation") ? state.results.orientation : void 0;
-	const orientation = edited === null || result === void 0 ? null : orientationOf(result.value, result.of ?? null, edited);
+	const key = state.results.match?.key ?? "";
+	const orientation = edited === null || result === void 0 ? null : orientationOf(result.value, result.of ?? null, edited, key);
 	return {
 		left: edited?.left ?? found,
 		right,
@@ -6864,10 +6824,10 @@ function shownPair(state) {
 		edited
 	};
 }
-var orientationOf = remember((orientation, of, { match, found }) => {
+var orientationOf = remember((orientation, of, { match }, key) => {
 	const count = match.matches.length / 5;
 	if (of === null || of.match === match) return countsOf$1(orientation).all === count ? orientation : null;
-	if (of.found !== found) return null;
+	if (of.key !== key) return null;
 	const then = rowsThen(of.match, match);
 	const wasRejected = new Set(orientation.rejected);
 	const points = new Float64Array(9 * count).fill(NaN);
@@ -7667,7 +7627,7 @@ var Engine = class {
 		const { state } = this.store;
 		try {
 			const value = await RUNS[stage](state, this);
-			const of = stage === "orientation" ? editedPair(state) : null;
+			const of = stage === "orientation" ? matchesOf(state) : null;
 			const result = {
 				key,
 				value,
@@ -7706,6 +7666,13 @@ var Engine = class {
 		});
 	}
 };
+function matchesOf(state) {
+	const pair = editedPair(state);
+	return pair === null ? null : {
+		...pair,
+		key: state.results.match?.key ?? ""
+	};
+}
 function lifeTag(client, what) {
 	return `${String(client.generation)}:${what}`;
 }
@@ -8255,6 +8222,7 @@ var Files = class {
 		}
 		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
 		told.push(...ofImages);
+		if (camera === void 0) told.push(this.cameraStays(before));
 		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
 		this.tell(told, before);
 	}
@@ -8545,7 +8513,7 @@ var Files = class {
 			},
 			{
 				text: say("replace-the-image", { side }),
-				act: () => void this.show(images).then((told) => this.tell(told))
+				act: () => void this.replace(images)
 			},
 			{
 				text: say("keep-the-pair"),
@@ -8560,6 +8528,15 @@ var Files = class {
 			}),
 			choices
 		};
+	}
+	async replace(images) {
+		const before = this.store.state.images;
+		const told = await this.show(images);
+		this.tell([...told, this.cameraStays(before)]);
+	}
+	cameraStays(before) {
+		const { images, camera } = this.store.state;
+		return SIDES.some((side) => before[side] !== null && images[side]?.id !== before[side].id) && camera !== null && calibrationBehind(camera) === null ? info(say("the-camera-that-was-given-stays")) : null;
 	}
 	async show(images) {
 		const { photos } = this.store.state;
@@ -9446,6 +9423,7 @@ function sourceText(state) {
 	const exif = [["left", state.results.openLeft], ["right", state.results.openRight]].map(([name, opened]) => opened?.value.info.camera == null ? "" : exifText(name, opened.value.info.camera)).filter((text) => text !== "").join(" ");
 	const used = pairCameras(state);
 	const told = estimatedText(state);
+	if (state.camera !== null && "missing" in used) return say("the-focal-length-is-not-used-yet", { exif });
 	if (state.camera !== null) return say("in-use-the-values-below", {
 		what: state.truth === null ? "" : say("they-came-with-the-sample"),
 		told,
@@ -9612,10 +9590,11 @@ var EXCLUSIVE = {
 	"points.threshold": "points.fraction",
 	"points.fraction": "points.threshold"
 };
+var OF_ANOTHER = { "points.operator": "points.threshold" };
 function change(store, key, value) {
 	const { settings } = store.state;
 	if (settings === null) return;
-	const other = value === null ? void 0 : EXCLUSIVE[key];
+	const other = OF_ANOTHER[key] ?? (value === null ? void 0 : EXCLUSIVE[key]);
 	const free = other === void 0 ? settings : withSetting(settings, other, null);
 	store.dispatch({
 		type: "settings",
@@ -10441,7 +10420,7 @@ function mountFiducials(host, store, loadFile, marking, measure) {
 	}, h("legend", {}, say("interior-orientation")), h("div", { class: "control" }, h("label", { for: "fiducial-model" }, say("transformation")), model), photo("left", store, loadFile, marking, measure), photo("right", store, loadFile, marking, measure)));
 }
 function photo(side, store, loadFile, marking, measure) {
-	const table = scrolledByKeys(h("div", { class: "scroll" }));
+	const table = scrolledByKeys(h("div", { class: "scroll fiducials-table" }));
 	const result = h("p", {
 		class: "note",
 		testid: `interior-${side}`
@@ -10457,6 +10436,14 @@ function photo(side, store, loadFile, marking, measure) {
 	], ([image, tool, mark]) => {
 		inPicture.disabled = image === null;
 		inPicture.setAttribute("aria-pressed", String(tool === "fiducials" && mark?.side === side));
+	});
+	const other = otherSide(side);
+	const asOther = button(say("as-in-the-other-image", { side: other }), `coordinates-fiducials-${side}`, () => marking.takeCoordinates(side), say("takes-the-photo-coordinates", { side: other }));
+	store.watch((s) => [s.photos.left.fiducials, s.photos.right.fiducials], ([left, right]) => {
+		const [own, others] = side === "left" ? [left, right] : [right, left];
+		const held = asOther === document.activeElement ? asOther : null;
+		asOther.hidden = withCoordinatesOf(own, others) === null;
+		passFocus(held, [asOther, inPicture]);
 	});
 	const clear = button(say("clear"), `clear-fiducials-${side}`, () => marking.removeAll(side));
 	const undo = button(say("undo-sign"), `undo-fiducials-${side}`, () => marking.step(-1));
@@ -10476,26 +10463,36 @@ function photo(side, store, loadFile, marking, measure) {
 			add
 		]);
 	});
-	store.watch((s) => [s.photos[side].fiducials, s.results[stage]], ([fiducials, interior]) => {
+	store.watch((s) => [
+		s.photos[side].fiducials,
+		s.results[stage],
+		isPixelMissing(s, side)
+	], ([fiducials, interior, isWithoutPixel]) => {
 		const held = table.contains(document.activeElement) || clear === document.activeElement ? document.activeElement : null;
 		const whole = fiducials.filter(isWhole$1).length;
 		const residuals = interior?.value.fiducials?.residuals_mm ?? [];
 		if (shown !== fiducials) {
 			if (shown?.length !== fiducials.length) fill(table, marksTable(side, marking, fiducials.length));
 			shown = fiducials;
+			showMarks(table, fiducials);
 		}
-		showMarks(table, fiducials, residuals.length === whole ? residuals : []);
+		showResiduals(table, fiducials, residuals.length === whole ? residuals : []);
 		clear.disabled = fiducials.length === 0;
 		passFocus(held, [undo, add]);
 		const incomplete = fiducials.length - whole;
-		const told = interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, whole);
+		const { sigma0_mm, degrees_of_freedom } = interior?.value.fiducials ?? {};
+		const told = isWithoutPixel ? say("no-fiducial-marks-and-no-pixel") : interiorText(sigma0_mm, degrees_of_freedom, whole);
 		fill(result, incomplete === 0 ? told : `${told} ${say("incomplete-marks", { incomplete })}`);
 	});
 	return h("div", {
 		class: "photo twin",
 		role: "group",
 		aria: { label: name }
-	}, h("h3", {}, name), result, table, h("div", { class: "buttons" }, inPicture, add, load, clear, undo, redo), originFields(side, store));
+	}, h("h3", {}, name), result, table, h("div", { class: "buttons" }, inPicture, add, asOther, load, clear, undo, redo), originFields(side, store));
+}
+function isPixelMissing({ camera, photos, results }, side) {
+	const ofFile = results[side === "left" ? "openLeft" : "openRight"]?.value.info.camera;
+	return wholeMarks(photos[side]).length === 0 && (camera ?? ofFile)?.pixel_mm == null;
 }
 function interiorText(sigma, freedom, marks) {
 	if (marks === 0) return say("no-fiducial-marks-the-pixel");
@@ -10508,15 +10505,16 @@ function interiorText(sigma, freedom, marks) {
 }
 function marksTable(side, marking, rows) {
 	if (rows === 0) return "";
-	const body = Array.from({ length: rows }, (_, i) => h("tr", {}, h("th", { scope: "row" }, String(i + 1)), ...FIELDS$1.map((field) => h("td", {}, markInput(side, marking, i, field))), h("td", { class: "number residual" }, ""), h("td", {}, removeButton(side, marking, i))));
+	const body = Array.from({ length: rows }, (_, i) => h("tr", {}, h("th", { scope: "row" }, String(i + 1)), ...FIELDS$1.map((field) => h("td", {}, markInput(side, marking, i, field))), h("td", { class: "number residual" }, h("span", {})), h("td", {}, removeButton(side, marking, i))));
 	return h("table", {
 		class: "marks",
 		testid: `fiducials-${side}`,
 		aria: { label: say("fiducial-marks", { side }) }
 	}, h("thead", {}, h("tr", {}, h("td", {}, ""), ...FIELDS$1.map((field) => h("th", { scope: "col" }, HEADS[field])), h("th", {
 		scope: "col",
+		class: "residual",
 		title: say("residuals-vx-vy")
-	}, `v ${unitText("µm")}`), h("td", {}, ""))), h("tbody", {}, ...body));
+	}, h("span", {}, `v ${unitText("µm")}`)), h("td", {}, ""))), h("tbody", {}, ...body));
 }
 function markInput(side, marking, index, field) {
 	const input = h("input", {
@@ -10536,8 +10534,7 @@ function removeButton(side, marking, index) {
 	remove.setAttribute("aria-label", say("remove-mark", { index: index + 1 }));
 	return remove;
 }
-function showMarks(table, fiducials, residuals) {
-	const parts = fiducials.map((mark, i) => isWhole$1(mark) ? residuals[fiducials.slice(0, i).filter(isWhole$1).length] : void 0);
+function showMarks(table, fiducials) {
 	table.querySelectorAll("tbody tr").forEach((line, i) => {
 		line.querySelectorAll("input").forEach((input, f) => {
 			const field = FIELDS$1[f];
@@ -10545,7 +10542,12 @@ function showMarks(table, fiducials, residuals) {
 			if (value === void 0 || Object.is(input.valueAsNumber, value)) return;
 			input.value = Number.isFinite(value) ? String(value) : "";
 		});
-		const cell = line.querySelector(".residual");
+	});
+}
+function showResiduals(table, fiducials, residuals) {
+	const parts = fiducials.map((mark, i) => isWhole$1(mark) ? residuals[fiducials.slice(0, i).filter(isWhole$1).length] : void 0);
+	table.querySelectorAll("tbody tr").forEach((line, i) => {
+		const cell = line.querySelector(".residual span");
 		const [vx, vy] = parts[i] ?? [];
 		if (cell !== null) cell.textContent = vx === void 0 ? "" : `${fixed(1e3 * vx, 0)}, ${fixed(1e3 * (vy ?? NaN), 0)}`;
 	});
@@ -10913,7 +10915,7 @@ function mountOrientation(host, store) {
 		"fiducialModel"
 	], whenInSight(host, () => {
 		const { state } = store;
-		panel.classList.toggle("is-stale", isStale(state, "orientation"));
+		panel.classList.toggle("is-stale", whyNotOriented(state) === null && isStale(state, "orientation"));
 		fill(body, ...content$1(state));
 	}));
 }
@@ -11217,7 +11219,11 @@ function hintFor(state, verdict) {
 		kind: "not_oriented",
 		no_orientation: none
 	});
-	return state.settings === null || judged === null ? null : pair_hint(judged, state.settings);
+	return state.settings === null || judged === null || isWithoutPoints(state) ? null : pair_hint(judged, state.settings);
+}
+function isWithoutPoints(state) {
+	const { left, right } = shownPair(state);
+	return left?.length === 0 || right?.length === 0;
 }
 function figuresOf(state, result) {
 	const { used } = countsOf$1(result);
@@ -13012,6 +13018,13 @@ var Marking = class {
 			...mark,
 			...numbers
 		} : mark), "typed", index);
+	}
+	takeCoordinates(side) {
+		const { photos } = this.store.state;
+		const marks = photos[side].fiducials;
+		const all = withCoordinatesOf(marks, photos[otherSide(side)].fiducials);
+		const first = marks.findIndex((mark, i) => mark !== all?.[i]);
+		if (all !== null) this.set(side, all, "coordinates", first < 0 ? marks.length : first);
 	}
 	add(side) {
 		const { fiducials } = this.store.state.photos[side];

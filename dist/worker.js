@@ -27,10 +27,7 @@
 		place(block, index, file, reference) {
 			_assertClass(block, FinishedBlock);
 			_assertClass(reference, OrthophotoReference);
-			const val2 = +index;
-			const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.blockonorthophoto_place(this.__wbg_ptr, block.__wbg_ptr, val2, ptr0, len0, reference.__wbg_ptr);
+			const ret = wasm.blockonorthophoto_place(this.__wbg_ptr, block.__wbg_ptr, index, file, reference.__wbg_ptr);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
@@ -144,21 +141,9 @@
 			return v1;
 		}
 		static open(project, names) {
-			let ptr0, len0, ptr1, len1;
-			try {
-				ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
-				len0 = WASM_VECTOR_LEN;
-				ptr1 = isLikeNone(names) ? 0 : passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-				len1 = WASM_VECTOR_LEN;
-			} catch (e) {
-				if (ptr1) {
-					wasm.__externref_drop_slice(ptr1, len1);
-					wasm.__wbindgen_free(ptr1, len1 * 4, 4);
-				}
-				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-				throw e;
-			}
-			const ret = wasm.epipolarpair_open(ptr0, len0, ptr1, len1);
+			var ptr0 = isLikeNone(names) ? 0 : passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+			var len0 = WASM_VECTOR_LEN;
+			const ret = wasm.epipolarpair_open(project, ptr0, len0);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return EpipolarPair.__wrap(ret[0]);
 		}
@@ -170,18 +155,7 @@
 			return takeFromExternrefTable0(ret[0]);
 		}
 		resample_files(left, right) {
-			let ptr0, len0, ptr1, len1;
-			try {
-				ptr0 = passArray8ToWasm0(left, wasm.__wbindgen_malloc);
-				len0 = WASM_VECTOR_LEN;
-				ptr1 = passArray8ToWasm0(right, wasm.__wbindgen_malloc);
-				len1 = WASM_VECTOR_LEN;
-			} catch (e) {
-				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-				throw e;
-			}
-			const ret = wasm.epipolarpair_resample_files(this.__wbg_ptr, ptr0, len0, ptr1, len1);
+			const ret = wasm.epipolarpair_resample_files(this.__wbg_ptr, left, right);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
@@ -270,9 +244,7 @@
 			return wasm.finishedblock_on_orthophoto(this.__wbg_ptr);
 		}
 		static open(bytes) {
-			const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.finishedblock_open(ptr0, len0);
+			const ret = wasm.finishedblock_open(bytes);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return FinishedBlock.__wrap(ret[0]);
 		}
@@ -343,14 +315,11 @@
 			wasm.__wbg_orthomosaic_free(ptr, 0);
 		}
 		add(index, file) {
-			const val2 = +index;
-			const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.orthomosaic_add(this.__wbg_ptr, val2, ptr0, len0);
+			const ret = wasm.orthomosaic_add(this.__wbg_ptr, index, file);
 			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-			var v3 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+			var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-			return v3;
+			return v1;
 		}
 		finish() {
 			const ptr = this.__destroy_into_raw();
@@ -382,10 +351,7 @@
 			return v1;
 		}
 		static open(project, heights, heights_sidecars, gsd, in_adjustment) {
-			const val2 = +(isLikeNone(gsd) ? 0 : gsd);
-			const ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.orthomosaic_open(ptr0, len0, heights, heights_sidecars, !isLikeNone(gsd), val2, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
+			const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, !isLikeNone(gsd), isLikeNone(gsd) ? 0 : gsd, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return OrthoMosaic.__wrap(ret[0]);
 		}
@@ -424,18 +390,9 @@
 			wasm.__wbg_orthophotoreference_free(ptr, 0);
 		}
 		adjust(name, file, given) {
-			let ptr0, len0, ptr1, len1;
-			try {
-				ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-				len0 = WASM_VECTOR_LEN;
-				ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-				len1 = WASM_VECTOR_LEN;
-			} catch (e) {
-				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-				throw e;
-			}
-			const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, given);
+			const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, file, given);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
@@ -499,32 +456,27 @@
 			return v1;
 		}
 		place(name, file, cameras, film) {
-			let ptr0, len0, ptr1, len1, ptr2, len2;
+			let ptr0, len0, ptr1, len1;
 			try {
 				ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 				len0 = WASM_VECTOR_LEN;
-				ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+				ptr1 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 				len1 = WASM_VECTOR_LEN;
-				ptr2 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-				len2 = WASM_VECTOR_LEN;
 			} catch (e) {
-				if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
 				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
 				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
 				throw e;
 			}
-			const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2, film);
+			const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, file, ptr1, len1, film);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
 		rectified(file, placement) {
-			const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.orthophotoreference_rectified(this.__wbg_ptr, ptr0, len0, placement);
+			const ret = wasm.orthophotoreference_rectified(this.__wbg_ptr, file, placement);
 			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-			var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+			var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-			return v2;
+			return v1;
 		}
 		search(options) {
 			const ret = wasm.orthophotoreference_search(this.__wbg_ptr, options);
@@ -555,9 +507,7 @@
 			wasm.__wbg_photo_free(ptr, 0);
 		}
 		static decode(bytes) {
-			const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.photo_decode(ptr0, len0);
+			const ret = wasm.photo_decode(bytes);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return Photo.__wrap(ret[0]);
 		}
@@ -571,32 +521,22 @@
 			return v2;
 		}
 		describe_points(settings, mask) {
-			var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
-			var len0 = WASM_VECTOR_LEN;
-			const ret = wasm.photo_describe_points(this.__wbg_ptr, settings, ptr0, len0);
+			const ret = wasm.photo_describe_points(this.__wbg_ptr, settings, isLikeNone(mask) ? 0 : addToExternrefTable0(mask));
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
 		detect(settings, mask) {
-			var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
-			var len0 = WASM_VECTOR_LEN;
-			const ret = wasm.photo_detect(this.__wbg_ptr, settings, ptr0, len0);
+			const ret = wasm.photo_detect(this.__wbg_ptr, settings, isLikeNone(mask) ? 0 : addToExternrefTable0(mask));
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
 		features(options, mask) {
-			var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
-			var len0 = WASM_VECTOR_LEN;
-			const ret = wasm.photo_features(this.__wbg_ptr, options, ptr0, len0);
+			const ret = wasm.photo_features(this.__wbg_ptr, options, isLikeNone(mask) ? 0 : addToExternrefTable0(mask));
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
 		static from_grey(width, height, grey) {
-			const val2 = +width;
-			const val3 = +height;
-			const ptr0 = passArray8ToWasm0(grey, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.photo_from_grey(val2, val3, ptr0, len0);
+			const ret = wasm.photo_from_grey(width, height, grey);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return Photo.__wrap(ret[0]);
 		}
@@ -613,7 +553,9 @@
 			return wasm.photo_info(this.__wbg_ptr);
 		}
 		reduced(max_side) {
-			return wasm.photo_reduced(this.__wbg_ptr, max_side);
+			const ret = wasm.photo_reduced(this.__wbg_ptr, max_side);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
 		}
 		get width() {
 			return wasm.photo_width(this.__wbg_ptr) >>> 0;
@@ -658,18 +600,7 @@
 		constructor(left, right, names, input, settings, truth, left_mask, right_mask) {
 			_assertClass(left, Photo);
 			_assertClass(right, Photo);
-			let ptr0, len0, ptr1, len1;
-			try {
-				ptr0 = isLikeNone(left_mask) ? 0 : passArray8ToWasm0(left_mask, wasm.__wbindgen_malloc);
-				len0 = WASM_VECTOR_LEN;
-				ptr1 = isLikeNone(right_mask) ? 0 : passArray8ToWasm0(right_mask, wasm.__wbindgen_malloc);
-				len1 = WASM_VECTOR_LEN;
-			} catch (e) {
-				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-				throw e;
-			}
-			const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, ptr0, len0, ptr1, len1);
+			const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, isLikeNone(left_mask) ? 0 : addToExternrefTable0(left_mask), isLikeNone(right_mask) ? 0 : addToExternrefTable0(right_mask));
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			this.__wbg_ptr = ret[0];
 			ReportFinalization.register(this, this.__wbg_ptr, this);
@@ -697,10 +628,7 @@
 			wasm.__wbg_run_free(ptr, 0);
 		}
 		complete(id, bytes) {
-			const val2 = +id;
-			const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.run_complete(this.__wbg_ptr, val2, ptr0, len0);
+			const ret = wasm.run_complete(this.__wbg_ptr, id, bytes);
 			if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 		}
 		failed(id, failure) {
@@ -714,10 +642,7 @@
 			return FinishedBlock.__wrap(ret[0]);
 		}
 		found(id, record) {
-			const val2 = +id;
-			const ptr0 = passArray8ToWasm0(record, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.run_found(this.__wbg_ptr, val2, ptr0, len0);
+			const ret = wasm.run_found(this.__wbg_ptr, id, record);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return ret[0] !== 0;
 		}
@@ -746,6 +671,9 @@
 		}
 	};
 	if (Symbol.dispose) Run.prototype[Symbol.dispose] = Run.prototype.free;
+	function call_parameters() {
+		return wasm.call_parameters();
+	}
 	function candidates(index, left_points, left_descriptors, right_points, right_descriptors, offset, options) {
 		const val5 = +index;
 		let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
@@ -809,9 +737,7 @@
 		return wasm.export_formats();
 	}
 	function film_frame(scan, film, wanted) {
-		const ptr0 = passArray8ToWasm0(scan, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.film_frame(ptr0, len0, film, wanted);
+		const ret = wasm.film_frame(scan, film, wanted);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -821,35 +747,18 @@
 		return ret[0];
 	}
 	function gradient_candidates(index, left_gradients, right_gradients, most) {
-		const val3 = +index;
-		const val4 = +most;
-		let ptr0, len0, ptr1, len1;
-		try {
-			ptr0 = passArray8ToWasm0(left_gradients, wasm.__wbindgen_malloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = passArray8ToWasm0(right_gradients, wasm.__wbindgen_malloc);
-			len1 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-			throw e;
-		}
-		const ret = wasm.gradient_candidates(val3, ptr0, len0, ptr1, len1, val4);
+		const ret = wasm.gradient_candidates(index, left_gradients, right_gradients, most);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-		var v5 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-		return v5;
+		return v1;
 	}
 	function grey_png(width, height, grey, exif) {
-		const val2 = +width;
-		const val3 = +height;
-		const ptr0 = passArray8ToWasm0(grey, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.grey_png(val2, val3, ptr0, len0, exif);
+		const ret = wasm.grey_png(width, height, grey, exif);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-		var v4 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-		return v4;
+		return v1;
 	}
 	function image_position(file) {
 		const ret = wasm.image_position(file);
@@ -930,27 +839,12 @@
 		}
 	}
 	function nearest_piece(left, first, end, right) {
-		const val3 = +first;
-		const val4 = +end;
-		let ptr0, len0, ptr1, len1;
-		try {
-			ptr0 = passArray8ToWasm0(left, wasm.__wbindgen_malloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = passArray8ToWasm0(right, wasm.__wbindgen_malloc);
-			len1 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-			throw e;
-		}
-		const ret = wasm.nearest_piece(ptr0, len0, val3, val4, ptr1, len1);
+		const ret = wasm.nearest_piece(left, first, end, right);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
 	function open_pair_project(bytes) {
-		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.open_pair_project(ptr0, len0);
+		const ret = wasm.open_pair_project(bytes);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -1018,12 +912,11 @@
 		return takeFromExternrefTable0(ret[0]);
 	}
 	function sha256(bytes) {
-		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.sha256(ptr0, len0);
-		var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		const ret = wasm.sha256(bytes);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-		return v2;
+		return v1;
 	}
 	function simulate(flight) {
 		const ret = wasm.simulate(flight);
@@ -1088,7 +981,8 @@
 					getDataViewMemory0().setInt32((arg0 >>> 0) + 0, ptr1, true);
 				},
 				__wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
-					throw new Error(getStringFromWasm0(arg0, arg1));
+					const words = getStringFromWasm0(arg0, arg1);
+					throw new Error(words === "null pointer passed to rust" ? "the object was freed, or moved into another one: make a new one" : words);
 				},
 				__wbg___wbindgen_typeof_ee4990276e02f607: function(arg0) {
 					return typeof arg0;
@@ -1169,6 +1063,9 @@
 						result = false;
 					}
 					return result;
+				},
+				__wbg_isArray_bcf1376d0d732d08: function(arg0) {
+					return Array.isArray(arg0);
 				},
 				__wbg_length_03a2b32a9178fe11: function(arg0) {
 					return arg0.length;
@@ -1294,6 +1191,9 @@
 				},
 				__wbg_stroke_19fa3f3ec093bc25: function(arg0) {
 					arg0.stroke();
+				},
+				__wbg_toStringTag_1bdd39ac5d866229: function() {
+					return Symbol.toStringTag;
 				},
 				__wbindgen_generic_0000000000000001: function(arg0, arg1) {
 					return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
@@ -1501,12 +1401,6 @@
 		CLOSURE_DTORS.register(real, state, state);
 		return real;
 	}
-	function passArray8ToWasm0(arg, malloc) {
-		const ptr = malloc(arg.length * 1, 1) >>> 0;
-		getUint8ArrayMemory0().set(arg, ptr / 1);
-		WASM_VECTOR_LEN = arg.length;
-		return ptr;
-	}
 	function passArrayF32ToWasm0(arg, malloc) {
 		const ptr = malloc(arg.length * 4, 4) >>> 0;
 		getFloat32ArrayMemory0().set(arg, ptr / 4);
@@ -1584,7 +1478,10 @@
 		};
 	};
 	var WASM_VECTOR_LEN = 0;
-	var wasm;
+	var unloaded = new Proxy({}, { get() {
+		throw new Error("the module is not loaded: call the default export of tiepoint and wait for it first");
+	} });
+	var wasm = unloaded;
 	function __wbg_finalize_init(instance, module) {
 		wasm = instance.exports;
 		cachedDataViewMemory0 = null;
@@ -1598,7 +1495,7 @@
 		return wasm;
 	}
 	function initSync(module) {
-		if (wasm !== void 0) return wasm;
+		if (wasm !== unloaded) return wasm;
 		if (module !== void 0) {
 			if (Object.getPrototypeOf(module) === Object.prototype) ({module} = module);
 			else console.warn("using deprecated parameters for `initSync()`; pass a single object instead");
@@ -1609,6 +1506,22 @@
 	}
 	// pkg/block/jobs.js
 	var jobs = { block: async ({ task, inputs }) => execute_job(task, inputs) };
+	// pkg/block/wire.js
+	function plainError(thrown) {
+		if (typeof thrown !== "object" || thrown === null || !("message" in thrown)) return {
+			name: "Error",
+			message: String(thrown)
+		};
+		const { name, message, code, usage, error } = thrown;
+		return {
+			name: typeof name === "string" ? name : "Error",
+			message: String(message),
+			...typeof code === "string" && { code },
+			...typeof usage === "boolean" && { usage },
+			...typeof error === "object" && error !== null && { error }
+		};
+	}
+	var errorOf = ({ message, ...fields }) => Object.assign(new Error(message), fields);
 	// pkg/block/film.js
 	var SAME_FILM = .01;
 	var ROUNDING = 1e-9;
@@ -2031,10 +1944,7 @@
 	}
 	// pkg/block/faults.js
 	function breakdownOf(error) {
-		const { name, message } = error instanceof Error ? error : {
-			name: "",
-			message: ""
-		};
+		const { name, message } = plainError(error);
 		switch (name) {
 			case "RuntimeError": return /unreachable/i.test(message) ? "memory" : "fault";
 			case "RangeError": return /call stack/i.test(message) ? "fault" : "memory";
@@ -2042,6 +1952,92 @@
 			case "Panic": return "fault";
 			default: return null;
 		}
+	}
+	// pkg/block/given.js
+	var OPTIONS = [
+		"settings",
+		"cameras",
+		"gps",
+		"control",
+		"masks",
+		"geoid"
+	];
+	function checkGiven(sources, options, surroundings) {
+		if (!isObject(options)) refuse("options", options, "object");
+		const unknown = Object.keys(options).find((name) => !OPTIONS.includes(name));
+		if (unknown !== void 0) refuseField(unknown);
+		const { cameras, gps, masks, geoid } = options;
+		if (isGiven(cameras) && typeof cameras?.text !== "string") refuse("cameras", cameras, "{ name, text }");
+		if (gps !== void 0 && gps !== "use" && gps !== "ignore") refuse("gps", gps, "use, ignore");
+		checkSources("images", sources);
+		checkSources("masks", masks === void 0 ? [] : masks);
+		checkSources("geoid", isGiven(geoid) ? [geoid] : []);
+		if (!isObject(surroundings)) refuse("surroundings", surroundings, "{ pool, store }");
+		const { pool, store } = surroundings;
+		if (typeof pool?.run !== "function") refuse("pool", pool, "{ size, run }");
+		const allowed = allowedWorkers();
+		if (!Number.isInteger(pool.size) || pool.size < allowed.min || pool.size > allowed.max) refuse("pool.size", pool.size, allowed);
+		if (typeof store?.get !== "function" || typeof store.put !== "function") refuse("store", store, "{ get, put }");
+	}
+	function checkSources(field, sources) {
+		if (!Array.isArray(sources)) refuse(field, sources, "[{ name, bytes }]");
+		sources.forEach((source, index) => {
+			if (typeof source?.name !== "string" || typeof source.bytes !== "function") refuse(`${field}[${index}]`, source, "{ name, bytes }");
+		});
+	}
+	function allowedWorkers() {
+		const workers = call_parameters().find(({ key }) => key === "workers");
+		if (workers?.kind !== "integer") throw new Error("the crate says no range of workers");
+		return workers;
+	}
+	var isObject = (value) => typeof value === "object" && value !== null;
+	var isGiven = (value) => value !== void 0 && value !== null;
+	function refuse(field, got, allowed) {
+		const words = typeof allowed === "string" ? {
+			kind: "words",
+			words: allowed
+		} : {
+			kind: "integer",
+			min: allowed.min,
+			max: allowed.max,
+			odd: false
+		};
+		throwRefusal("invalid-option", {
+			kind: "invalid-option",
+			field,
+			got: shown(got),
+			allowed: words
+		});
+	}
+	function refuseField(field) {
+		throwRefusal("invalid-json", {
+			kind: "invalid-json",
+			document: {
+				kind: "named",
+				name: "options"
+			},
+			json_fault: {
+				kind: "field",
+				field,
+				words: `unknown field \`${field}\`, expected one of ${OPTIONS.map((name) => `\`${name}\``).join(", ")}`,
+				line: null,
+				column: null
+			}
+		});
+	}
+	function throwRefusal(code, error) {
+		throw errorOf({
+			name: "TiepointError",
+			message: message$1("error", error),
+			code,
+			usage: true,
+			error
+		});
+	}
+	function shown(value) {
+		if (!isGiven(value)) return null;
+		if (Array.isArray(value)) return `[${value.length}]`;
+		return isObject(value) ? `{ ${Object.keys(value).join(", ")} }` : String(value);
 	}
 	// pkg/block/timed.js
 	function timed(width) {
@@ -2064,7 +2060,9 @@
 		};
 	}
 	// pkg/block/run.js
-	async function runBlock(sources, { settings = {}, cameras, gps, control, masks = [], geoid }, surroundings) {
+	async function runBlock(sources, options, surroundings) {
+		checkGiven(sources, options, surroundings);
+		const { settings = {}, cameras, gps, control, masks = [], geoid } = options;
 		const { pool, progress, news, signal } = surroundings;
 		const names = (files) => files.map(({ name }) => name);
 		const run = new Run({
@@ -2117,7 +2115,7 @@
 		} catch (error) {
 			return run.failed(id, {
 				kind: "unreadable",
-				message: messageOf$1(error)
+				message: plainError(error).message
 			});
 		}
 		const { key, task, records, input } = run.prepare(id, await Promise.all(inputs.map(digest)));
@@ -2153,21 +2151,20 @@
 		return Array.from(sum, (byte) => byte.toString(16).padStart(2, "0")).join("");
 	}
 	function failureOf$1(error) {
-		const { name, code = "", usage = false } = error instanceof Error ? error : {};
+		const { name, message, code = "", usage = false } = plainError(error);
 		if (name === "TiepointError") return {
 			kind: "refused",
 			code,
-			message: messageOf$1(error),
+			message,
 			usage
 		};
 		const breakdown = breakdownOf(error);
 		if (breakdown === null) throw error;
 		return {
 			kind: breakdown === "memory" ? "out_of_memory" : "broke_off",
-			message: messageOf$1(error)
+			message
 		};
 	}
-	var messageOf$1 = (error) => error instanceof Error ? error.message : String(error);
 	// www/shared/choices.ts
 	function keptChoice(name) {
 		try {
@@ -4165,18 +4162,12 @@
 	};
 	function settle(waiting, answer) {
 		if ("made" in answer) waiting?.resolve(answer.made);
-		else waiting?.reject(refused(answer.refusal));
+		else waiting?.reject(errorOf(answer.refusal));
 	}
 	function named(name, message) {
 		const error = new Error(message);
 		error.name = name;
 		return error;
-	}
-	function refused({ message, code, usage }) {
-		return Object.assign(named("TiepointError", message), {
-			code,
-			usage
-		});
 	}
 	// www/block/engine/handlers.ts
 	async function blockJob(job) {
@@ -4184,12 +4175,7 @@
 			return { made: await jobs.block(job) };
 		} catch (error) {
 			if (!(error instanceof Error) || error.name !== "TiepointError") throw error;
-			const { message, code = "", usage = false } = error;
-			return { refusal: {
-				message,
-				code,
-				usage
-			} };
+			return { refusal: plainError(error) };
 		}
 	}
 	var BLOCK_HANDLERS = {

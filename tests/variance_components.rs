@@ -1,7 +1,7 @@
 //! Weights of groups of observations by their residuals, on simulated blocks whose errors are known.
 
 use super::stated::{Case, GROUPS, MARK_PX, Simulated};
-use tiepoint::{AdjustmentOptions, AdjustmentResult, Datum, ObservationGroup, VarianceComponent, adjust_block};
+use tiepoint::{AdjustmentOptions, AdjustmentResult, Datum, ObservationGroup, ObservationVerdict, VarianceComponent, adjust_block};
 
 const RIGHT: Case = Case { factors: [1.0; 5], control: 12, datum: Datum::GnssAndControl };
 
@@ -46,6 +46,21 @@ fn weighted_image_measurements_keep_the_standard_error_that_was_stated() {
         adjust_block(&adjusted.block, &AdjustmentOptions { datum: case.datum, variance_components: true, ..AdjustmentOptions::default() });
     let again = of(&again.unwrap(), ObservationGroup::Marks);
     assert!((again.factor / marks.factor - 1.0).abs() < 0.02 && MARK_PX == 1.0, "{again:?} {marks:?}");
+}
+
+#[test]
+fn sigma0_is_that_of_tie_points_however_well_others_fit() {
+    // A third of all rays are of places whose standard errors are stated five times too large: they neither lower σ₀ nor cost good tie points.
+    let case = Case { factors: [0.2, 1.0, 1.0, 1.0, 1.0], control: 150, ..RIGHT };
+    for seed in 1..=3 {
+        let simulated = Simulated::new(&case, seed).unwrap();
+        let adjusted = adjust_block(&simulated.block, &AdjustmentOptions { datum: case.datum, ..AdjustmentOptions::default() }).unwrap();
+        let stated = simulated.block.rays.iter().filter(|ray| ray.sigma_px.is_some()).count();
+        let rejected = adjusted.rays.iter().filter(|ray| ray.verdict == ObservationVerdict::GrossError).count();
+        let sigma0 = adjusted.sigma0_px.unwrap();
+        assert!((0.38..0.42).contains(&sigma0), "{sigma0}, {stated} of {} rays", adjusted.rays.len());
+        assert!(3 * stated > adjusted.rays.len() && 200 * rejected < adjusted.rays.len(), "{rejected} of {}", adjusted.rays.len());
+    }
 }
 
 #[test]

@@ -1,6 +1,14 @@
 /* tslint:disable */
 /* eslint-disable */
 
+/**
+ * The text of a message of a family, or, by its name, another text that belongs to it, as its `label`; in English, or in the language of a tag
+ * (`ar`) that there is a catalogue of.
+ */
+export function message<F extends keyof Messages>(family: F, message: Messages[F], attribute?: string | null, language?: string | null): string;
+
+
+
 /** A file that is read in parts: `read` gives so many bytes from a place on, at once. In a worker of a browser a `FileReaderSync` does that, in Node `fs.readSync`. */
 export interface FileInParts {
     /** Its length in bytes. */
@@ -214,11 +222,32 @@ export type Parameter = {
 /** What every refused call throws. */
 export interface TiepointError extends Error {
     name: "TiepointError";
-    /** Stable for programs, as "invalid-option". */
-    code: string;
+    /** Stable for programs. */
+    code: ErrorCode;
     /** Whether the caller's options are at fault rather than the data. */
     usage: boolean;
+    /** What was wrong, with its figures: `message("error", error.error, null, "ar")` is the text in another language. */
+    error: Messages["error"];
 }
+
+/** What a refused call says to programs; codes do not change between versions. */
+export type ErrorCode =
+| "constant-window"
+| "degenerate"
+| "image-too-small"
+| "interrupted"
+| "invalid-input"
+| "invalid-json"
+| "invalid-option"
+| "not-converged"
+| "not-written"
+| "too-few"
+| "too-many-pixels"
+| "too-much-memory"
+| "unreadable-file"
+| "unreadable-image"
+| "unsupported-image"
+| "window-outside";
 
 
 
@@ -1317,6 +1346,10 @@ export interface ObjectPoint {
      * Probability, 0..1, that its observations belong together.
      */
     confidence?: number;
+    /**
+     * Of a ground control or check point.
+     */
+    name?: string;
     rays: ImageObservation[];
 }
 
@@ -3141,11 +3174,13 @@ export interface CameraMm {
      */
     pixel_mm?: number | null;
     /**
-     * `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶: see [`Interior::photo_mm`](crate::Interior::photo_mm).
+     * `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶. What was measured at x, y mm from the principal point, r mm away, is corrected to
+     * x · (1 + k1·r² + k2·r⁴ + k3·r⁶) + p1·(r² + 2x²) + 2·p2·x·y and y · (1 + k1·r² + k2·r⁴ + k3·r⁶) + p2·(r² + 2y²) + 2·p1·x·y: a positive k1
+     * moves points outwards, against a barrel distortion.
      */
     radial_distortion?: [number, number, number];
     /**
-     * `[p1, p2]` in mm⁻¹: see [`Interior::photo_mm`](crate::Interior::photo_mm).
+     * `[p1, p2]` in mm⁻¹, of the same correction.
      */
     tangential_distortion?: [number, number];
     /**
@@ -3454,7 +3489,7 @@ export interface Interior {
      */
     principal_point_mm: [number, number];
     /**
-     * `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶.
+     * `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶, of the correction that `CameraMm` says.
      */
     radial_distortion: [number, number, number];
     /**
@@ -4447,7 +4482,7 @@ export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | {
 /**
  * What is weak about a model.
  */
-export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "looking_up"; observed: Observed; tilt_deg: number } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "positions_apart"; axis: Axis; difference_m: number; times: number } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; certain?: boolean; mistake: Mistake | null } | { kind: "control_untested"; point: string; measurements: number } | { kind: "control_unplaced"; point: string; measurements: number } | { kind: "control_contradicts"; refused: number; points: number; w?: number | null } | { kind: "control_tests_stopped"; left_out: number; points: number } | { kind: "control_unadjusted"; names: string[] } | { kind: "control_shape"; names: string[]; ratio: number; longest: string; shortest: string; point: string | null } | { kind: "few_control"; points: number; positions?: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
+export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "looking_up"; observed: Observed; tilt_deg: number } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "positions_apart"; axis: Axis; difference_m: number; times: number } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; certain?: boolean; mistake: Mistake | null } | { kind: "control_untested"; point: string; measurements: number } | { kind: "control_unplaced"; point: string; measurements: number } | { kind: "control_contradicts"; refused: number; points: number; w?: number | null } | { kind: "control_tests_stopped"; left_out: number; points: number } | { kind: "control_unadjusted"; names: string[] } | { kind: "control_lost"; lost: number; points: number; from_bottom: boolean } | { kind: "control_without_place"; given: number; measured: number; taken: number } | { kind: "control_shape"; names: string[]; ratio: number; longest: string; shortest: string; point: string | null } | { kind: "few_control"; points: number; positions?: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number; check?: boolean } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[]; check?: boolean } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
 
 /**
  * What makes an orientation weak although it could be computed.
@@ -4879,7 +4914,7 @@ export class BlockOnOrthophoto {
     /**
      * Places an image of the block, by its index, with the camera that the block has adjusted; null for one that is not oriented.
      */
-    place(block: FinishedBlock, index: number, file: Uint8Array | number[], reference: OrthophotoReference): PlacingVerdict | null;
+    place(block: FinishedBlock, index: number, file: Uint8Array | Uint8ClampedArray | ArrayBuffer, reference: OrthophotoReference): PlacingVerdict | null;
 }
 
 /**
@@ -4943,7 +4978,7 @@ export class EpipolarPair {
      * Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
      * that order in which the base goes to the right.
      */
-    static open(project: Uint8Array | number[], names?: string[] | null): EpipolarPair;
+    static open(project: Uint8Array | Uint8ClampedArray | ArrayBuffer, names?: string[] | null): EpipolarPair;
     /**
      * Resamples the grey values of both images, which are given in the order of `names`.
      */
@@ -4951,7 +4986,7 @@ export class EpipolarPair {
     /**
      * Resamples both images in the colours of their files, which are given in the order of `names`.
      */
-    resample_files(left: Uint8Array | number[], right: Uint8Array | number[]): EpipolarFiles;
+    resample_files(left: Uint8Array | Uint8ClampedArray | ArrayBuffer, right: Uint8Array | Uint8ClampedArray | ArrayBuffer): EpipolarFiles;
     /**
      * SHA-256 of the files of the left and the right image in hexadecimal digits; null for photos that were simulated.
      */
@@ -5026,7 +5061,7 @@ export class FinishedBlock {
     /**
      * Opens a project file; one that is damaged or of another kind is refused whole.
      */
-    static open(bytes: Uint8Array | number[]): FinishedBlock;
+    static open(bytes: Uint8Array | Uint8ClampedArray | ArrayBuffer): FinishedBlock;
     /**
      * What is shown of it.
      */
@@ -5069,7 +5104,7 @@ export class OrthoMosaic {
     /**
      * Adds an image, by its index; one that is not oriented adds nothing. Gives what the file goes on with.
      */
-    add(index: number, file: Uint8Array | number[]): Uint8Array;
+    add(index: number, file: Uint8Array | Uint8ClampedArray | ArrayBuffer): Uint8Array;
     /**
      * What the file ends with, and the bytes that it begins with in place of those that were given first.
      */
@@ -5087,7 +5122,7 @@ export class OrthoMosaic {
      * pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
      * adjustment, as the map of the page is.
      */
-    static open(project: Uint8Array | number[], heights: number | Uint8Array | null, heights_sidecars: Given<Sidecars> | null | undefined, gsd?: number | null, in_adjustment?: boolean | null): OrthoMosaic;
+    static open(project: Uint8Array | Uint8ClampedArray | ArrayBuffer, heights: number | Uint8Array | null, heights_sidecars: Given<Sidecars> | null | undefined, gsd?: number | null, in_adjustment?: boolean | null): OrthoMosaic;
     /**
      * The indices of its oriented images in an order in which little waits in memory for images to come.
      */
@@ -5116,7 +5151,7 @@ export class OrthophotoReference {
     /**
      * Orients an image by links that are given, in their order; nothing is matched.
      */
-    adjust(name: string, file: Uint8Array | number[], given: ByLinks): PlacedImage;
+    adjust(name: string, file: Uint8Array | Uint8ClampedArray | ArrayBuffer, given: ByLinks): PlacedImage;
     /**
      * The same in colours: red, green, blue and alpha of each pixel, alpha 0 where it shows nothing.
      */
@@ -5163,14 +5198,14 @@ export class OrthophotoReference {
      * `within_m`, then on all of the orthophoto. `film`: of the scan of a photo on film, its calibrated camera and the fiducial marks that were measured in it,
      * in place of what is known otherwise.
      */
-    place(name: string, file: Uint8Array | number[], cameras: string | null | undefined, film?: Given<FilmInput> | null): PlacedImage;
+    place(name: string, file: Uint8Array | Uint8ClampedArray | ArrayBuffer, cameras: string | null | undefined, film?: Given<FilmInput> | null): PlacedImage;
     /**
      * A placed image resampled to the ground, in its colours, as GeoTIFF.
      */
-    rectified(file: Uint8Array | number[], placement: Placement): Uint8Array;
+    rectified(file: Uint8Array | Uint8ClampedArray | ArrayBuffer, placement: Placement): Uint8Array;
     /**
      * How images are placed; those that are absent take their defaults. Finds the points of the orthophoto among which images are sought, and
-     * gives how many they are.
+     * gives how many they are. Where they are refused the former ones hold.
      */
     search(options: Given<PlacingOptions>): number;
     /**
@@ -5189,7 +5224,7 @@ export class Photo {
     /**
      * Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file.
      */
-    static decode(bytes: Uint8Array | number[]): Photo;
+    static decode(bytes: Uint8Array | Uint8ClampedArray | ArrayBuffer): Photo;
     /**
      * Describes points (stride 3) by the seven numbers each that a strategy compares; NaN where a window leaves the image or is constant.
      * Empty for the strategies that compare grey values.
@@ -5198,21 +5233,21 @@ export class Photo {
     /**
      * Finds interest points and describes them as the strategy of the settings needs it.
      */
-    describe_points(settings: Given<PairSettings>, mask?: Uint8Array | number[] | null): DescribedPoints;
+    describe_points(settings: Given<PairSettings>, mask?: Uint8Array | Uint8ClampedArray | ArrayBuffer | null): DescribedPoints;
     /**
      * Finds interest points by the groups `points` and `multiscale` of the settings. Points whose pixel is 0 in the mask, of the image's size
      * and row by row, are left out.
      */
-    detect(settings: Given<PairSettings>, mask?: Uint8Array | number[] | null): DetectedPoints;
+    detect(settings: Given<PairSettings>, mask?: Uint8Array | Uint8ClampedArray | ArrayBuffer | null): DetectedPoints;
     /**
      * Finds points distinct in position and scale and describes them by the gradients around them. Points whose pixel is 0 in the mask,
      * of the image's size and row by row, are left out.
      */
-    features(options: Given<FeatureOptions>, mask?: Uint8Array | number[] | null): Features;
+    features(options: Given<FeatureOptions>, mask?: Uint8Array | Uint8ClampedArray | ArrayBuffer | null): Features;
     /**
      * Takes grey values 0..255, row by row.
      */
-    static from_grey(width: number, height: number, grey: Uint8Array | number[]): Photo;
+    static from_grey(width: number, height: number, grey: Uint8Array | Uint8ClampedArray | ArrayBuffer): Photo;
     /**
      * A copy of the grey values, row by row.
      */
@@ -5247,7 +5282,7 @@ export class Report {
      * Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
      * and row by row, are left out.
      */
-    constructor(left: Photo, right: Photo, names: [string, string], input: Given<PairInput>, settings: Given<PairSettings>, truth: ReportTruth | null, left_mask?: Uint8Array | number[] | null, right_mask?: Uint8Array | number[] | null);
+    constructor(left: Photo, right: Photo, names: [string, string], input: Given<PairInput>, settings: Given<PairSettings>, truth: ReportTruth | null, left_mask?: Uint8Array | Uint8ClampedArray | ArrayBuffer | null, right_mask?: Uint8Array | Uint8ClampedArray | ArrayBuffer | null);
     /**
      * Does the next step; false when all were done.
      */
@@ -5268,7 +5303,7 @@ export class Run {
     /**
      * Takes the bytes that came of a job.
      */
-    complete(id: number, bytes: Uint8Array | number[]): void;
+    complete(id: number, bytes: Uint8Array | Uint8ClampedArray | ArrayBuffer): void;
     /**
      * Takes why a job could not be done: an image or a pair is left out with it, where these are to blame.
      */
@@ -5280,7 +5315,7 @@ export class Run {
     /**
      * Takes a kept record; one that does not read well is not taken, and the job is still to be done.
      */
-    found(id: number, record: Uint8Array | number[]): boolean;
+    found(id: number, record: Uint8Array | Uint8ClampedArray | ArrayBuffer): boolean;
     /**
      * A run of which nothing is done; what can be refused before the images are read is refused here.
      */
@@ -5350,6 +5385,11 @@ export function camera_label(camera: ExifCamera, width: number, height: number):
 export function camera_of_exif(exif: ExifCamera): CameraMm;
 
 /**
+ * The camera of a photo of which nothing but the focal length in px is known.
+ */
+export function camera_of_focal_px(focal_px: number): CameraMm;
+
+/**
  * The candidates of one left point, the best first: index of the right point and measure, stride 2.
  */
 export function candidates(index: number, left_points: Float64Array | number[], left_descriptors: Float64Array | number[], right_points: Float64Array | number[], right_descriptors: Float64Array | number[], offset: OffsetField, options: Given<MatchOptions>): Float64Array;
@@ -5403,7 +5443,7 @@ export function defaults(): PairSettings;
  * Draws the lines of matches whose two ends are both in view, from the left image's view to the right one's; returns how many.
  *
  * `matches`: stride 5, `x left, y left, x right, y right, measure` in px. `codes`: one a match, the index of its style; a code without
- * a style is not drawn. `widths` and `colours`: one a style. Where more than `most` are in view, evenly many are drawn.
+ * a style is not drawn. `widths` and `colours`: one a style. Views as of `draw_points`. Where more than `most` are in view, evenly many are drawn.
  */
 export function draw_match_lines(context: CanvasRenderingContext2D, matches: Float64Array | number[], codes: Uint8Array | number[], widths: Float64Array | number[], colours: string[], left_view: Float64Array | number[], right_view: Float64Array | number[], most: number): number;
 
@@ -5412,7 +5452,9 @@ export function draw_match_lines(context: CanvasRenderingContext2D, matches: Flo
  *
  * `points`: stride 3, `x, y, value` in px. `codes`: one a point, the index of its style; a code without a style is not drawn.
  * `styles`: stride 3, `shape, half size, line width` in canvas units (shapes: 0 dot, 1 circle, 2 plus, 3 cross, 4 square,
- * 5 triangle up, 6 triangle down, 7 diamond). `colours`: one CSS colour a style. `view`: see [`View::new`]. Styles are drawn in order,
+ * 5 triangle up, 6 triangle down, 7 diamond). `colours`: one CSS colour a style. `view`: scale, shift x, shift y,
+ * left, top, right, bottom: a position of the canvas is scale times that of the image plus the shift, and marks are drawn within the last four, in canvas
+ * units. Styles are drawn in order,
  * the last on top; where points crowd, some are left out.
  */
 export function draw_points(context: CanvasRenderingContext2D, points: Float64Array | number[], codes: Uint8Array | number[], styles: Float64Array | number[], colours: string[], view: Float64Array | number[]): number;
@@ -5421,7 +5463,7 @@ export function draw_points(context: CanvasRenderingContext2D, points: Float64Ar
  * Draws vectors as arrows from their points, enlarged `factor` times; returns how many.
  *
  * `vectors`: stride 4, `x, y, dx, dy` in px of the image. `codes`: one a vector, the index of its style; a code without a style is not drawn.
- * `widths` and `colours`: one a style.
+ * `widths` and `colours`: one a style. `view`: as of `draw_points`.
  */
 export function draw_vectors(context: CanvasRenderingContext2D, vectors: Float64Array | number[], codes: Uint8Array | number[], widths: Float64Array | number[], colours: string[], factor: number, view: Float64Array | number[]): number;
 
@@ -5443,11 +5485,6 @@ export function estimate_offset(left: ReducedImage, right: ReducedImage): Offset
 export function execute_job(task: string, inputs: readonly Uint8Array[]): Uint8Array;
 
 /**
- * Writes a block in one format: `emit` is called with the path, relative to a folder, and the text of each file in turn.
- */
-export function export_block(model: BlockModel, format: ExportFormat, emit: (path: string, text: string) => void): void;
-
-/**
  * The names of the formats that blocks are written in.
  */
 export function export_formats(): ExportFormat[];
@@ -5467,7 +5504,7 @@ export function film_cameras(pattern: string, rules: CameraRule[], given: Camera
  * Resamples the file of a scan by the fiducial marks that were measured in it: all scans of a camera become images of one ideal camera, of which a block
  * is made.
  */
-export function film_frame(scan: Uint8Array | number[], film: Given<FilmInput>, wanted: FrameWanted): FilmFiles;
+export function film_frame(scan: Uint8Array | Uint8ClampedArray | ArrayBuffer, film: Given<FilmInput>, wanted: FrameWanted): FilmFiles;
 
 /**
  * Takes image measurements that were made in scans into their frames.
@@ -5513,12 +5550,12 @@ export function geographic_positions(positions: Float64Array | number[]): Float6
 /**
  * The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.
  */
-export function gradient_candidates(index: number, left_gradients: Uint8Array | number[], right_gradients: Uint8Array | number[], most: number): Float64Array;
+export function gradient_candidates(index: number, left_gradients: Uint8Array | Uint8ClampedArray | ArrayBuffer, right_gradients: Uint8Array | Uint8ClampedArray | ArrayBuffer, most: number): Float64Array;
 
 /**
  * Writes grey values as a PNG file, with the camera and the position of `exif` where it is given.
  */
-export function grey_png(width: number, height: number, grey: Uint8Array | number[], exif?: ExifImage): Uint8Array;
+export function grey_png(width: number, height: number, grey: Uint8Array | Uint8ClampedArray | ArrayBuffer, exif?: ExifImage): Uint8Array;
 
 /**
  * The table of image measurements, which reads back as they are.
@@ -5560,23 +5597,23 @@ export function match_described_pair(left: Photo, right: Photo, left_points: Giv
 /**
  * Matches byte descriptors of 128 bytes each: exact nearest neighbours, the ratio to the second nearest, the same from both sides.
  */
-export function match_descriptors(left: Uint8Array | number[], right: Uint8Array | number[], options: Given<NearestOptions>): DescriptorMatches;
+export function match_descriptors(left: Uint8Array | Uint8ClampedArray | ArrayBuffer, right: Uint8Array | Uint8ClampedArray | ArrayBuffer, options: Given<NearestOptions>): DescriptorMatches;
 
 /**
  * Matches the features of two images (positions x, y in px, stride 2; 128 bytes each) by nearest descriptors, verified by the geometry of
  * the two views and completed along its lines. Where `options.geometry` names cameras, positions are those of cameras without distortion.
  */
-export function match_features(left_positions: Float64Array | number[], left_descriptors: Uint8Array | number[], right_positions: Float64Array | number[], right_descriptors: Uint8Array | number[], options: Given<FeatureMatchOptions>): VerifiedMatches;
+export function match_features(left_positions: Float64Array | number[], left_descriptors: Uint8Array | Uint8ClampedArray | ArrayBuffer, right_positions: Float64Array | number[], right_descriptors: Uint8Array | Uint8ClampedArray | ArrayBuffer, options: Given<FeatureMatchOptions>): VerifiedMatches;
 
 /**
  * Matches byte descriptors near the epipolar line, or the place, of each left point: positions x, y in px (stride 2), 128 bytes each.
  */
-export function match_guided_descriptors(left_positions: Float64Array | number[], left_descriptors: Uint8Array | number[], right_positions: Float64Array | number[], right_descriptors: Uint8Array | number[], guide: MatchGuide, options: Given<GuidedOptions>): DescriptorMatches;
+export function match_guided_descriptors(left_positions: Float64Array | number[], left_descriptors: Uint8Array | Uint8ClampedArray | ArrayBuffer, right_positions: Float64Array | number[], right_descriptors: Uint8Array | Uint8ClampedArray | ArrayBuffer, guide: MatchGuide, options: Given<GuidedOptions>): DescriptorMatches;
 
 /**
  * Matches and orients a pair on one thread. Points whose pixel is 0 in the mask of their image, of its size and row by row, are left out.
  */
-export function match_pair(left: Photo, right: Photo, input: Given<PairInput>, settings: Given<PairSettings>, left_mask?: Uint8Array | number[] | null, right_mask?: Uint8Array | number[] | null): PairOutput;
+export function match_pair(left: Photo, right: Photo, input: Given<PairInput>, settings: Given<PairSettings>, left_mask?: Uint8Array | Uint8ClampedArray | ArrayBuffer | null, right_mask?: Uint8Array | Uint8ClampedArray | ArrayBuffer | null): PairOutput;
 
 /**
  * Matches two photos by any strategy.
@@ -5598,12 +5635,6 @@ export function match_points(left_points: Float64Array | number[], left_descript
 export function matches_csv(matches: Float64Array | number[]): string;
 
 /**
- * The text of a message, or, by its name, another text that belongs to it, as its `label`; in English, or in the language of a tag (`ar`)
- * that there is a catalogue of.
- */
-export function message(family: keyof Messages, message: Messages[keyof Messages], attribute?: string | null, language?: string | null): string;
-
-/**
  * Object points of observations (stride 4) that are oriented as `orient_relative` does: X, Y, Z, their standard errors (NaN where there are
  * none), 1 where the observation took part and 0 where it was rejected; stride 7, NaN for parallel rays. `base`: the length of the base in
  * the unit that the points shall have; 1: the base is the unit.
@@ -5619,7 +5650,7 @@ export function model_points_csv(points: Float64Array | number[]): string;
  * The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest` and
  * `match_photos`.
  */
-export function nearest_piece(left: Uint8Array | number[], first: number, end: number, right: Uint8Array | number[]): NearestPiece;
+export function nearest_piece(left: Uint8Array | Uint8ClampedArray | ArrayBuffer, first: number, end: number, right: Uint8Array | Uint8ClampedArray | ArrayBuffer): NearestPiece;
 
 /**
  * Photo coordinates x, y left, x, y right in mm (stride 4) of matches (stride 5).
@@ -5635,7 +5666,7 @@ export function one_image(matches: Float64Array | number[], left_width: number, 
 /**
  * Opens the project file of a pair; one that is damaged or of another kind is refused whole.
  */
-export function open_pair_project(bytes: Uint8Array | number[]): PairProject;
+export function open_pair_project(bytes: Uint8Array | Uint8ClampedArray | ArrayBuffer): PairProject;
 
 /**
  * Interior orientation by fiducial marks.
@@ -5746,18 +5777,18 @@ export function points_csv(points: Float64Array | number[]): string;
 /**
  * What a project file holds, by its first kilobyte; null for what is no project.
  */
-export function project_kind(start: Uint8Array | number[]): ProjectKind | null;
+export function project_kind(start: Uint8Array | Uint8ClampedArray | ArrayBuffer): ProjectKind | null;
 
 /**
  * What EXIF tells of an image of this size beside its pixels.
  */
-export function read_exif(file: Uint8Array | number[], width: number, height: number): ExifImage;
+export function read_exif(file: Uint8Array | Uint8ClampedArray | ArrayBuffer, width: number, height: number): ExifImage;
 
 /**
  * Why a file is refused whose first bytes, or the ending of whose name where these say nothing, are those of a kind that is not decoded (HEIC, raw, film, …);
  * null for all others. 64 bytes tell every kind but raw files that are TIFFs.
  */
-export function refused_kind(name: string, start: Uint8Array | number[]): { kind: string } | null;
+export function refused_kind(name: string, start: Uint8Array | Uint8ClampedArray | ArrayBuffer): { kind: string } | null;
 
 /**
  * Settings with every absent option that follows from the others, as all calls take them; what follows from the images stays absent.
@@ -5787,7 +5818,7 @@ export function score_matches(matches: Float64Array | number[], left_points: Flo
 /**
  * SHA-256 (FIPS 180-4) of bytes: 32 bytes.
  */
-export function sha256(bytes: Uint8Array | number[]): Uint8Array;
+export function sha256(bytes: Uint8Array | Uint8ClampedArray | ArrayBuffer): Uint8Array;
 
 /**
  * Renders the pair of a flight; parameters that are absent are those of the sample.
@@ -5848,7 +5879,7 @@ export interface InitOutput {
     readonly block_settings: (a: any) => [number, number, number];
     readonly blockonorthophoto_linked: (a: number, b: number, c: number) => [number, number, number];
     readonly blockonorthophoto_new: () => number;
-    readonly blockonorthophoto_place: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
+    readonly blockonorthophoto_place: (a: number, b: number, c: number, d: any, e: number) => [number, number, number];
     readonly blockscene_new: (a: any) => [number, number, number];
     readonly blockscene_orthophoto: (a: number, b: number) => [number, number, number];
     readonly blockscene_photo: (a: number, b: number) => [number, number, number];
@@ -5860,6 +5891,7 @@ export interface InitOutput {
     readonly call_parameters: () => any;
     readonly camera_label: (a: any, b: number, c: number) => [number, number, number, number];
     readonly camera_of_exif: (a: any) => [number, number, number];
+    readonly camera_of_focal_px: (a: number) => any;
     readonly candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
     readonly check_block_truth: (a: any, b: any) => [number, number];
     readonly check_cameras: (a: number, b: number, c: number, d: number) => [number, number];
@@ -5878,16 +5910,15 @@ export interface InitOutput {
     readonly epipolarpair_geometry: (a: number) => any;
     readonly epipolarpair_is_swapped: (a: number) => number;
     readonly epipolarpair_names: (a: number) => [number, number];
-    readonly epipolarpair_open: (a: number, b: number, c: number, d: number) => [number, number, number];
+    readonly epipolarpair_open: (a: any, b: number, c: number) => [number, number, number];
     readonly epipolarpair_resample: (a: number, b: number, c: number) => [number, number, number];
-    readonly epipolarpair_resample_files: (a: number, b: number, c: number, d: number, e: number) => [number, number, number];
+    readonly epipolarpair_resample_files: (a: number, b: any, c: any) => [number, number, number];
     readonly estimate_offset: (a: any, b: any) => [number, number, number];
     readonly execute_job: (a: number, b: number, c: any) => [number, number, number, number];
-    readonly export_block: (a: any, b: any, c: any) => [number, number];
     readonly export_formats: () => any;
     readonly feature_defaults: () => any;
     readonly film_cameras: (a: number, b: number, c: any, d: any) => [number, number, number];
-    readonly film_frame: (a: number, b: number, c: any, d: any) => [number, number, number];
+    readonly film_frame: (a: any, b: any, c: any) => [number, number, number];
     readonly film_measurements: (a: any, b: any) => [number, number, number];
     readonly film_pattern: (a: any, b: any) => [number, number, number, number];
     readonly film_pixel_mm: (a: any) => [number, number, number];
@@ -5903,7 +5934,7 @@ export interface InitOutput {
     readonly finishedblock_image_points: (a: number, b: number) => [number, number, number];
     readonly finishedblock_model: (a: number) => any;
     readonly finishedblock_on_orthophoto: (a: number) => any;
-    readonly finishedblock_open: (a: number, b: number) => [number, number, number];
+    readonly finishedblock_open: (a: any) => [number, number, number];
     readonly finishedblock_overview: (a: number) => [number, number, number];
     readonly finishedblock_places: (a: number) => [number, number, number];
     readonly finishedblock_places_again: (a: number, b: any) => [number, number, number];
@@ -5915,8 +5946,8 @@ export interface InitOutput {
     readonly flight_preset: (a: any) => [number, number, number];
     readonly flight_presets: () => any;
     readonly geographic_positions: (a: number, b: number) => [number, number, number];
-    readonly gradient_candidates: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
-    readonly grey_png: (a: number, b: number, c: number, d: number, e: any) => [number, number, number, number];
+    readonly gradient_candidates: (a: number, b: any, c: any, d: number) => [number, number, number, number];
+    readonly grey_png: (a: number, b: number, c: any, d: any) => [number, number, number, number];
     readonly image_measurement_table: (a: any) => [number, number, number, number];
     readonly image_position: (a: any) => [number, number, number];
     readonly interior: (a: any, b: any) => [number, number, number];
@@ -5924,33 +5955,33 @@ export interface InitOutput {
     readonly local_positions: (a: number, b: number) => [number, number, number];
     readonly masks_of_images: (a: number, b: number, c: number, d: number) => [number, number, number, number];
     readonly match_described_pair: (a: number, b: number, c: any, d: any, e: any, f: any, g: any) => [number, number, number];
-    readonly match_descriptors: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
-    readonly match_features: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any) => [number, number, number];
-    readonly match_guided_descriptors: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
-    readonly match_pair: (a: number, b: number, c: any, d: any, e: number, f: number, g: number, h: number) => [number, number, number];
+    readonly match_descriptors: (a: any, b: any, c: any) => [number, number, number];
+    readonly match_features: (a: number, b: number, c: any, d: number, e: number, f: any, g: any) => [number, number, number];
+    readonly match_guided_descriptors: (a: number, b: number, c: any, d: number, e: number, f: any, g: any, h: any) => [number, number, number];
+    readonly match_pair: (a: number, b: number, c: any, d: any, e: number, f: number) => [number, number, number];
     readonly match_photos: (a: number, b: number, c: any, d: any, e: any, f: any, g: any, h: any) => [number, number, number];
     readonly match_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
     readonly matches_csv: (a: number, b: number) => [number, number, number, number];
     readonly message: (a: number, b: number, c: any, d: number, e: number, f: number, g: number) => [number, number, number, number];
     readonly model_points: (a: number, b: number, c: number, d: any, e: number, f: number, g: number) => [number, number, number, number];
     readonly model_points_csv: (a: number, b: number) => [number, number, number, number];
-    readonly nearest_piece: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
+    readonly nearest_piece: (a: any, b: number, c: number, d: any) => [number, number, number];
     readonly observations: (a: number, b: number, c: any, d: any) => [number, number, number, number];
     readonly one_image: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
-    readonly open_pair_project: (a: number, b: number) => [number, number, number];
+    readonly open_pair_project: (a: any) => [number, number, number];
     readonly orient_fiducials: (a: any, b: any) => [number, number, number];
     readonly orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any, g: any) => [number, number, number];
     readonly orient_relative: (a: number, b: number, c: number, d: any, e: number, f: number) => [number, number, number];
-    readonly orthomosaic_add: (a: number, b: number, c: number, d: number) => [number, number, number, number];
+    readonly orthomosaic_add: (a: number, b: number, c: any) => [number, number, number, number];
     readonly orthomosaic_finish: (a: number) => [number, number, number];
     readonly orthomosaic_heights: (a: number) => [number, number, number, number];
     readonly orthomosaic_leave_out: (a: number, b: number) => [number, number, number, number];
     readonly orthomosaic_names: (a: number) => [number, number];
-    readonly orthomosaic_open: (a: number, b: number, c: any, d: any, e: number, f: number, g: number) => [number, number, number];
+    readonly orthomosaic_open: (a: any, b: any, c: any, d: number, e: number, f: number) => [number, number, number];
     readonly orthomosaic_order: (a: number) => [number, number];
     readonly orthomosaic_remark: (a: number) => any;
     readonly orthomosaic_size: (a: number) => [number, number];
-    readonly orthophotoreference_adjust: (a: number, b: number, c: number, d: number, e: number, f: any) => [number, number, number];
+    readonly orthophotoreference_adjust: (a: number, b: number, c: number, d: any, e: any) => [number, number, number];
     readonly orthophotoreference_colours: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
     readonly orthophotoreference_control_by_hand: (a: number, b: any) => [number, number, number];
     readonly orthophotoreference_elsewhere: (a: number, b: any, c: any) => [number, number, number];
@@ -5960,8 +5991,8 @@ export interface InitOutput {
     readonly orthophotoreference_info: (a: number) => any;
     readonly orthophotoreference_open: (a: any, b: any) => [number, number, number];
     readonly orthophotoreference_picture: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
-    readonly orthophotoreference_place: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: any) => [number, number, number];
-    readonly orthophotoreference_rectified: (a: number, b: number, c: number, d: any) => [number, number, number, number];
+    readonly orthophotoreference_place: (a: number, b: number, c: number, d: any, e: number, f: number, g: any) => [number, number, number];
+    readonly orthophotoreference_rectified: (a: number, b: any, c: any) => [number, number, number, number];
     readonly orthophotoreference_search: (a: number, b: any) => [number, number, number];
     readonly orthophotoreference_set_heights: (a: number, b: any, c: any) => [number, number];
     readonly pair_cameras: (a: any, b: any, c: any) => [number, number, number];
@@ -5977,16 +6008,16 @@ export interface InitOutput {
     readonly parse_image_measurements: (a: number, b: number) => [number, number, number];
     readonly parse_observations: (a: number, b: number) => [number, number, number, number];
     readonly photo_camera: (a: any) => [number, number, number];
-    readonly photo_decode: (a: number, b: number) => [number, number, number];
+    readonly photo_decode: (a: any) => [number, number, number];
     readonly photo_describe: (a: number, b: number, c: number, d: any, e: any) => [number, number, number, number];
-    readonly photo_describe_points: (a: number, b: any, c: number, d: number) => [number, number, number];
-    readonly photo_detect: (a: number, b: any, c: number, d: number) => [number, number, number];
-    readonly photo_features: (a: number, b: any, c: number, d: number) => [number, number, number];
-    readonly photo_from_grey: (a: number, b: number, c: number, d: number) => [number, number, number];
+    readonly photo_describe_points: (a: number, b: any, c: number) => [number, number, number];
+    readonly photo_detect: (a: number, b: any, c: number) => [number, number, number];
+    readonly photo_features: (a: number, b: any, c: number) => [number, number, number];
+    readonly photo_from_grey: (a: number, b: number, c: any) => [number, number, number];
     readonly photo_grey: (a: number) => [number, number];
     readonly photo_height: (a: number) => number;
     readonly photo_info: (a: number) => any;
-    readonly photo_reduced: (a: number, b: number) => any;
+    readonly photo_reduced: (a: number, b: number) => [number, number, number];
     readonly photo_width: (a: number) => number;
     readonly photo_window_moments: (a: number, b: number, c: number, d: any) => [number, number, number];
     readonly placed_tables: (a: number, b: number, c: any) => [number, number, number];
@@ -5994,19 +6025,19 @@ export interface InitOutput {
     readonly placing_parameters: () => any;
     readonly planned_files: (a: any, b: any) => [number, number, number, number];
     readonly points_csv: (a: number, b: number) => [number, number, number, number];
-    readonly project_kind: (a: number, b: number) => any;
-    readonly read_exif: (a: number, b: number, c: number, d: number) => any;
-    readonly refused_kind: (a: number, b: number, c: number, d: number) => any;
+    readonly project_kind: (a: any) => [number, number, number];
+    readonly read_exif: (a: any, b: number, c: number) => [number, number, number];
+    readonly refused_kind: (a: number, b: number, c: any) => [number, number, number];
     readonly report_html: (a: number) => [number, number, number, number];
-    readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any, g: number, h: number, i: number, j: number) => [number, number, number];
+    readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any, g: number, h: number) => [number, number, number];
     readonly report_step: (a: number) => [number, number, number];
     readonly report_steps: (a: number) => any;
     readonly resolved: (a: any) => [number, number, number];
     readonly rule_names: () => any;
-    readonly run_complete: (a: number, b: number, c: number, d: number) => [number, number];
+    readonly run_complete: (a: number, b: number, c: any) => [number, number];
     readonly run_failed: (a: number, b: number, c: any) => [number, number];
     readonly run_finish: (a: number) => [number, number, number];
-    readonly run_found: (a: number, b: number, c: number, d: number) => [number, number, number];
+    readonly run_found: (a: number, b: number, c: any) => [number, number, number];
     readonly run_new: (a: any) => [number, number, number];
     readonly run_news: (a: number) => any;
     readonly run_next: (a: number, b: number) => [number, number, number];
@@ -6014,7 +6045,7 @@ export interface InitOutput {
     readonly scaled_interior: (a: any, b: number) => [number, number, number];
     readonly score_block: (a: any, b: any) => [number, number, number];
     readonly score_matches: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number) => [number, number, number];
-    readonly sha256: (a: number, b: number) => [number, number];
+    readonly sha256: (a: any) => [number, number, number, number];
     readonly simulate: (a: any) => [number, number, number];
     readonly system_coordinates: (a: number, b: number, c: number, d: number) => [number, number, number];
     readonly system_positions: (a: number, b: number, c: number, d: number) => [number, number, number];

@@ -44,17 +44,14 @@ export class BlockOnOrthophoto {
      * Places an image of the block, by its index, with the camera that the block has adjusted; null for one that is not oriented.
      * @param {FinishedBlock} block
      * @param {number} index
-     * @param {Uint8Array | number[]} file
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} file
      * @param {OrthophotoReference} reference
      * @returns {PlacingVerdict | null}
      */
     place(block, index, file, reference) {
         _assertClass(block, FinishedBlock);
         _assertClass(reference, OrthophotoReference);
-        const val2 = +index;
-        const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.blockonorthophoto_place(this.__wbg_ptr, block.__wbg_ptr, val2, ptr0, len0, reference.__wbg_ptr);
+        const ret = wasm.blockonorthophoto_place(this.__wbg_ptr, block.__wbg_ptr, index, file, reference.__wbg_ptr);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -256,23 +253,14 @@ export class EpipolarPair {
     /**
      * Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
      * that order in which the base goes to the right.
-     * @param {Uint8Array | number[]} project
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} project
      * @param {string[] | null} [names]
      * @returns {EpipolarPair}
      */
     static open(project, names) {
-        let ptr0, len0, ptr1, len1;
-        try {
-            ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
-            len0 = WASM_VECTOR_LEN;
-            ptr1 = isLikeNone(names) ? 0 : passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-            len1 = WASM_VECTOR_LEN;
-        } catch (e) {
-            if (ptr1) { wasm.__externref_drop_slice(ptr1, len1); wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
-            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-            throw e;
-        }
-        const ret = wasm.epipolarpair_open(ptr0, len0, ptr1, len1);
+        var ptr0 = isLikeNone(names) ? 0 : passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+        var len0 = WASM_VECTOR_LEN;
+        const ret = wasm.epipolarpair_open(project, ptr0, len0);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -295,23 +283,12 @@ export class EpipolarPair {
     }
     /**
      * Resamples both images in the colours of their files, which are given in the order of `names`.
-     * @param {Uint8Array | number[]} left
-     * @param {Uint8Array | number[]} right
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} left
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} right
      * @returns {EpipolarFiles}
      */
     resample_files(left, right) {
-        let ptr0, len0, ptr1, len1;
-        try {
-            ptr0 = passArray8ToWasm0(left, wasm.__wbindgen_malloc);
-            len0 = WASM_VECTOR_LEN;
-            ptr1 = passArray8ToWasm0(right, wasm.__wbindgen_malloc);
-            len1 = WASM_VECTOR_LEN;
-        } catch (e) {
-            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-            throw e;
-        }
-        const ret = wasm.epipolarpair_resample_files(this.__wbg_ptr, ptr0, len0, ptr1, len1);
+        const ret = wasm.epipolarpair_resample_files(this.__wbg_ptr, left, right);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -482,13 +459,11 @@ export class FinishedBlock {
     }
     /**
      * Opens a project file; one that is damaged or of another kind is refused whole.
-     * @param {Uint8Array | number[]} bytes
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} bytes
      * @returns {FinishedBlock}
      */
     static open(bytes) {
-        const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.finishedblock_open(ptr0, len0);
+        const ret = wasm.finishedblock_open(bytes);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -610,20 +585,17 @@ export class OrthoMosaic {
     /**
      * Adds an image, by its index; one that is not oriented adds nothing. Gives what the file goes on with.
      * @param {number} index
-     * @param {Uint8Array | number[]} file
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} file
      * @returns {Uint8Array}
      */
     add(index, file) {
-        const val2 = +index;
-        const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.orthomosaic_add(this.__wbg_ptr, val2, ptr0, len0);
+        const ret = wasm.orthomosaic_add(this.__wbg_ptr, index, file);
         if (ret[3]) {
             throw takeFromExternrefTable0(ret[2]);
         }
-        var v3 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+        var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
         wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-        return v3;
+        return v1;
     }
     /**
      * What the file ends with, and the bytes that it begins with in place of those that were given first.
@@ -681,7 +653,7 @@ export class OrthoMosaic {
      * Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
      * pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
      * adjustment, as the map of the page is.
-     * @param {Uint8Array | number[]} project
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} project
      * @param {number | Uint8Array | null} heights
      * @param {Given<Sidecars> | null | undefined} heights_sidecars
      * @param {number | null} [gsd]
@@ -689,10 +661,7 @@ export class OrthoMosaic {
      * @returns {OrthoMosaic}
      */
     static open(project, heights, heights_sidecars, gsd, in_adjustment) {
-        const val2 = +(isLikeNone(gsd) ? 0 : gsd);
-        const ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.orthomosaic_open(ptr0, len0, heights, heights_sidecars, !isLikeNone(gsd), val2, isLikeNone(in_adjustment) ? 0xFFFFFF : in_adjustment ? 1 : 0);
+        const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, !isLikeNone(gsd), isLikeNone(gsd) ? 0 : gsd, isLikeNone(in_adjustment) ? 0xFFFFFF : in_adjustment ? 1 : 0);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -752,23 +721,14 @@ export class OrthophotoReference {
     /**
      * Orients an image by links that are given, in their order; nothing is matched.
      * @param {string} name
-     * @param {Uint8Array | number[]} file
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} file
      * @param {ByLinks} given
      * @returns {PlacedImage}
      */
     adjust(name, file, given) {
-        let ptr0, len0, ptr1, len1;
-        try {
-            ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-            len0 = WASM_VECTOR_LEN;
-            ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-            len1 = WASM_VECTOR_LEN;
-        } catch (e) {
-            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-            throw e;
-        }
-        const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, ptr1, len1, given);
+        const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, file, given);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -916,27 +876,24 @@ export class OrthophotoReference {
      * `within_m`, then on all of the orthophoto. `film`: of the scan of a photo on film, its calibrated camera and the fiducial marks that were measured in it,
      * in place of what is known otherwise.
      * @param {string} name
-     * @param {Uint8Array | number[]} file
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} file
      * @param {string | null | undefined} cameras
      * @param {Given<FilmInput> | null} [film]
      * @returns {PlacedImage}
      */
     place(name, file, cameras, film) {
-        let ptr0, len0, ptr1, len1, ptr2, len2;
+        let ptr0, len0, ptr1, len1;
         try {
             ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
             len0 = WASM_VECTOR_LEN;
-            ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+            ptr1 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
             len1 = WASM_VECTOR_LEN;
-            ptr2 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-            len2 = WASM_VECTOR_LEN;
         } catch (e) {
-            if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 1, 1); }
             if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
             if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
             throw e;
         }
-        const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2, film);
+        const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, file, ptr1, len1, film);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -944,24 +901,22 @@ export class OrthophotoReference {
     }
     /**
      * A placed image resampled to the ground, in its colours, as GeoTIFF.
-     * @param {Uint8Array | number[]} file
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} file
      * @param {Placement} placement
      * @returns {Uint8Array}
      */
     rectified(file, placement) {
-        const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.orthophotoreference_rectified(this.__wbg_ptr, ptr0, len0, placement);
+        const ret = wasm.orthophotoreference_rectified(this.__wbg_ptr, file, placement);
         if (ret[3]) {
             throw takeFromExternrefTable0(ret[2]);
         }
-        var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+        var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
         wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-        return v2;
+        return v1;
     }
     /**
      * How images are placed; those that are absent take their defaults. Finds the points of the orthophoto among which images are sought, and
-     * gives how many they are.
+     * gives how many they are. Where they are refused the former ones hold.
      * @param {Given<PlacingOptions>} options
      * @returns {number}
      */
@@ -1008,13 +963,11 @@ export class Photo {
     }
     /**
      * Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file.
-     * @param {Uint8Array | number[]} bytes
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} bytes
      * @returns {Photo}
      */
     static decode(bytes) {
-        const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.photo_decode(ptr0, len0);
+        const ret = wasm.photo_decode(bytes);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -1042,13 +995,11 @@ export class Photo {
     /**
      * Finds interest points and describes them as the strategy of the settings needs it.
      * @param {Given<PairSettings>} settings
-     * @param {Uint8Array | number[] | null} [mask]
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer | null} [mask]
      * @returns {DescribedPoints}
      */
     describe_points(settings, mask) {
-        var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
-        var len0 = WASM_VECTOR_LEN;
-        const ret = wasm.photo_describe_points(this.__wbg_ptr, settings, ptr0, len0);
+        const ret = wasm.photo_describe_points(this.__wbg_ptr, settings, isLikeNone(mask) ? 0 : addToExternrefTable0(mask));
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -1058,13 +1009,11 @@ export class Photo {
      * Finds interest points by the groups `points` and `multiscale` of the settings. Points whose pixel is 0 in the mask, of the image's size
      * and row by row, are left out.
      * @param {Given<PairSettings>} settings
-     * @param {Uint8Array | number[] | null} [mask]
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer | null} [mask]
      * @returns {DetectedPoints}
      */
     detect(settings, mask) {
-        var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
-        var len0 = WASM_VECTOR_LEN;
-        const ret = wasm.photo_detect(this.__wbg_ptr, settings, ptr0, len0);
+        const ret = wasm.photo_detect(this.__wbg_ptr, settings, isLikeNone(mask) ? 0 : addToExternrefTable0(mask));
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -1074,13 +1023,11 @@ export class Photo {
      * Finds points distinct in position and scale and describes them by the gradients around them. Points whose pixel is 0 in the mask,
      * of the image's size and row by row, are left out.
      * @param {Given<FeatureOptions>} options
-     * @param {Uint8Array | number[] | null} [mask]
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer | null} [mask]
      * @returns {Features}
      */
     features(options, mask) {
-        var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
-        var len0 = WASM_VECTOR_LEN;
-        const ret = wasm.photo_features(this.__wbg_ptr, options, ptr0, len0);
+        const ret = wasm.photo_features(this.__wbg_ptr, options, isLikeNone(mask) ? 0 : addToExternrefTable0(mask));
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -1090,15 +1037,11 @@ export class Photo {
      * Takes grey values 0..255, row by row.
      * @param {number} width
      * @param {number} height
-     * @param {Uint8Array | number[]} grey
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} grey
      * @returns {Photo}
      */
     static from_grey(width, height, grey) {
-        const val2 = +width;
-        const val3 = +height;
-        const ptr0 = passArray8ToWasm0(grey, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.photo_from_grey(val2, val3, ptr0, len0);
+        const ret = wasm.photo_from_grey(width, height, grey);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -1136,7 +1079,10 @@ export class Photo {
      */
     reduced(max_side) {
         const ret = wasm.photo_reduced(this.__wbg_ptr, max_side);
-        return ret;
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
     }
     /**
      * @returns {number}
@@ -1207,24 +1153,13 @@ export class Report {
      * @param {Given<PairInput>} input
      * @param {Given<PairSettings>} settings
      * @param {ReportTruth | null} truth
-     * @param {Uint8Array | number[] | null} [left_mask]
-     * @param {Uint8Array | number[] | null} [right_mask]
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer | null} [left_mask]
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer | null} [right_mask]
      */
     constructor(left, right, names, input, settings, truth, left_mask, right_mask) {
         _assertClass(left, Photo);
         _assertClass(right, Photo);
-        let ptr0, len0, ptr1, len1;
-        try {
-            ptr0 = isLikeNone(left_mask) ? 0 : passArray8ToWasm0(left_mask, wasm.__wbindgen_malloc);
-            len0 = WASM_VECTOR_LEN;
-            ptr1 = isLikeNone(right_mask) ? 0 : passArray8ToWasm0(right_mask, wasm.__wbindgen_malloc);
-            len1 = WASM_VECTOR_LEN;
-        } catch (e) {
-            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-            throw e;
-        }
-        const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, ptr0, len0, ptr1, len1);
+        const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, isLikeNone(left_mask) ? 0 : addToExternrefTable0(left_mask), isLikeNone(right_mask) ? 0 : addToExternrefTable0(right_mask));
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -1272,13 +1207,10 @@ export class Run {
     /**
      * Takes the bytes that came of a job.
      * @param {number} id
-     * @param {Uint8Array | number[]} bytes
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} bytes
      */
     complete(id, bytes) {
-        const val2 = +id;
-        const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.run_complete(this.__wbg_ptr, val2, ptr0, len0);
+        const ret = wasm.run_complete(this.__wbg_ptr, id, bytes);
         if (ret[1]) {
             throw takeFromExternrefTable0(ret[0]);
         }
@@ -1309,14 +1241,11 @@ export class Run {
     /**
      * Takes a kept record; one that does not read well is not taken, and the job is still to be done.
      * @param {number} id
-     * @param {Uint8Array | number[]} record
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} record
      * @returns {boolean}
      */
     found(id, record) {
-        const val2 = +id;
-        const ptr0 = passArray8ToWasm0(record, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.run_found(this.__wbg_ptr, val2, ptr0, len0);
+        const ret = wasm.run_found(this.__wbg_ptr, id, record);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -1508,6 +1437,16 @@ export function camera_of_exif(exif) {
 }
 
 /**
+ * The camera of a photo of which nothing but the focal length in px is known.
+ * @param {number} focal_px
+ * @returns {CameraMm}
+ */
+export function camera_of_focal_px(focal_px) {
+    const ret = wasm.camera_of_focal_px(focal_px);
+    return ret;
+}
+
+/**
  * The candidates of one left point, the best first: index of the right point and measure, stride 2.
  * @param {number} index
  * @param {Float64Array | number[]} left_points
@@ -1687,7 +1626,7 @@ export function defaults() {
  * Draws the lines of matches whose two ends are both in view, from the left image's view to the right one's; returns how many.
  *
  * `matches`: stride 5, `x left, y left, x right, y right, measure` in px. `codes`: one a match, the index of its style; a code without
- * a style is not drawn. `widths` and `colours`: one a style. Where more than `most` are in view, evenly many are drawn.
+ * a style is not drawn. `widths` and `colours`: one a style. Views as of `draw_points`. Where more than `most` are in view, evenly many are drawn.
  * @param {CanvasRenderingContext2D} context
  * @param {Float64Array | number[]} matches
  * @param {Uint8Array | number[]} codes
@@ -1735,7 +1674,9 @@ export function draw_match_lines(context, matches, codes, widths, colours, left_
  *
  * `points`: stride 3, `x, y, value` in px. `codes`: one a point, the index of its style; a code without a style is not drawn.
  * `styles`: stride 3, `shape, half size, line width` in canvas units (shapes: 0 dot, 1 circle, 2 plus, 3 cross, 4 square,
- * 5 triangle up, 6 triangle down, 7 diamond). `colours`: one CSS colour a style. `view`: see [`View::new`]. Styles are drawn in order,
+ * 5 triangle up, 6 triangle down, 7 diamond). `colours`: one CSS colour a style. `view`: scale, shift x, shift y,
+ * left, top, right, bottom: a position of the canvas is scale times that of the image plus the shift, and marks are drawn within the last four, in canvas
+ * units. Styles are drawn in order,
  * the last on top; where points crowd, some are left out.
  * @param {CanvasRenderingContext2D} context
  * @param {Float64Array | number[]} points
@@ -1777,7 +1718,7 @@ export function draw_points(context, points, codes, styles, colours, view) {
  * Draws vectors as arrows from their points, enlarged `factor` times; returns how many.
  *
  * `vectors`: stride 4, `x, y, dx, dy` in px of the image. `codes`: one a vector, the index of its style; a code without a style is not drawn.
- * `widths` and `colours`: one a style.
+ * `widths` and `colours`: one a style. `view`: as of `draw_points`.
  * @param {CanvasRenderingContext2D} context
  * @param {Float64Array | number[]} vectors
  * @param {Uint8Array | number[]} codes
@@ -1872,19 +1813,6 @@ export function execute_job(task, inputs) {
 }
 
 /**
- * Writes a block in one format: `emit` is called with the path, relative to a folder, and the text of each file in turn.
- * @param {BlockModel} model
- * @param {ExportFormat} format
- * @param {(path: string, text: string) => void} emit
- */
-export function export_block(model, format, emit) {
-    const ret = wasm.export_block(model, format, emit);
-    if (ret[1]) {
-        throw takeFromExternrefTable0(ret[0]);
-    }
-}
-
-/**
  * The names of the formats that blocks are written in.
  * @returns {ExportFormat[]}
  */
@@ -1923,15 +1851,13 @@ export function film_cameras(pattern, rules, given) {
 /**
  * Resamples the file of a scan by the fiducial marks that were measured in it: all scans of a camera become images of one ideal camera, of which a block
  * is made.
- * @param {Uint8Array | number[]} scan
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} scan
  * @param {Given<FilmInput>} film
  * @param {FrameWanted} wanted
  * @returns {FilmFiles}
  */
 export function film_frame(scan, film, wanted) {
-    const ptr0 = passArray8ToWasm0(scan, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.film_frame(ptr0, len0, film, wanted);
+    const ret = wasm.film_frame(scan, film, wanted);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2066,54 +1992,37 @@ export function geographic_positions(positions) {
 /**
  * The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.
  * @param {number} index
- * @param {Uint8Array | number[]} left_gradients
- * @param {Uint8Array | number[]} right_gradients
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} left_gradients
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} right_gradients
  * @param {number} most
  * @returns {Float64Array}
  */
 export function gradient_candidates(index, left_gradients, right_gradients, most) {
-    const val3 = +index;
-    const val4 = +most;
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passArray8ToWasm0(left_gradients, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArray8ToWasm0(right_gradients, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-        throw e;
-    }
-    const ret = wasm.gradient_candidates(val3, ptr0, len0, ptr1, len1, val4);
+    const ret = wasm.gradient_candidates(index, left_gradients, right_gradients, most);
     if (ret[3]) {
         throw takeFromExternrefTable0(ret[2]);
     }
-    var v5 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+    var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
     wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-    return v5;
+    return v1;
 }
 
 /**
  * Writes grey values as a PNG file, with the camera and the position of `exif` where it is given.
  * @param {number} width
  * @param {number} height
- * @param {Uint8Array | number[]} grey
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} grey
  * @param {ExifImage} [exif]
  * @returns {Uint8Array}
  */
 export function grey_png(width, height, grey, exif) {
-    const val2 = +width;
-    const val3 = +height;
-    const ptr0 = passArray8ToWasm0(grey, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.grey_png(val2, val3, ptr0, len0, exif);
+    const ret = wasm.grey_png(width, height, grey, exif);
     if (ret[3]) {
         throw takeFromExternrefTable0(ret[2]);
     }
-    var v4 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+    var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
     wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-    return v4;
+    return v1;
 }
 
 /**
@@ -2248,24 +2157,13 @@ export function match_described_pair(left, right, left_points, right_points, inp
 
 /**
  * Matches byte descriptors of 128 bytes each: exact nearest neighbours, the ratio to the second nearest, the same from both sides.
- * @param {Uint8Array | number[]} left
- * @param {Uint8Array | number[]} right
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} left
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} right
  * @param {Given<NearestOptions>} options
  * @returns {DescriptorMatches}
  */
 export function match_descriptors(left, right, options) {
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passArray8ToWasm0(left, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArray8ToWasm0(right, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-        throw e;
-    }
-    const ret = wasm.match_descriptors(ptr0, len0, ptr1, len1, options);
+    const ret = wasm.match_descriptors(left, right, options);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2276,31 +2174,25 @@ export function match_descriptors(left, right, options) {
  * Matches the features of two images (positions x, y in px, stride 2; 128 bytes each) by nearest descriptors, verified by the geometry of
  * the two views and completed along its lines. Where `options.geometry` names cameras, positions are those of cameras without distortion.
  * @param {Float64Array | number[]} left_positions
- * @param {Uint8Array | number[]} left_descriptors
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} left_descriptors
  * @param {Float64Array | number[]} right_positions
- * @param {Uint8Array | number[]} right_descriptors
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} right_descriptors
  * @param {Given<FeatureMatchOptions>} options
  * @returns {VerifiedMatches}
  */
 export function match_features(left_positions, left_descriptors, right_positions, right_descriptors, options) {
-    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
+    let ptr0, len0, ptr1, len1;
     try {
         ptr0 = passArrayF64ToWasm0(left_positions, wasm.__wbindgen_malloc);
         len0 = WASM_VECTOR_LEN;
-        ptr1 = passArray8ToWasm0(left_descriptors, wasm.__wbindgen_malloc);
+        ptr1 = passArrayF64ToWasm0(right_positions, wasm.__wbindgen_malloc);
         len1 = WASM_VECTOR_LEN;
-        ptr2 = passArrayF64ToWasm0(right_positions, wasm.__wbindgen_malloc);
-        len2 = WASM_VECTOR_LEN;
-        ptr3 = passArray8ToWasm0(right_descriptors, wasm.__wbindgen_malloc);
-        len3 = WASM_VECTOR_LEN;
     } catch (e) {
-        if (ptr3) { wasm.__wbindgen_free(ptr3, len3 * 1, 1); }
-        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 8, 8); }
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
         if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
         throw e;
     }
-    const ret = wasm.match_features(ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, options);
+    const ret = wasm.match_features(ptr0, len0, left_descriptors, ptr1, len1, right_descriptors, options);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2310,32 +2202,26 @@ export function match_features(left_positions, left_descriptors, right_positions
 /**
  * Matches byte descriptors near the epipolar line, or the place, of each left point: positions x, y in px (stride 2), 128 bytes each.
  * @param {Float64Array | number[]} left_positions
- * @param {Uint8Array | number[]} left_descriptors
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} left_descriptors
  * @param {Float64Array | number[]} right_positions
- * @param {Uint8Array | number[]} right_descriptors
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} right_descriptors
  * @param {MatchGuide} guide
  * @param {Given<GuidedOptions>} options
  * @returns {DescriptorMatches}
  */
 export function match_guided_descriptors(left_positions, left_descriptors, right_positions, right_descriptors, guide, options) {
-    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
+    let ptr0, len0, ptr1, len1;
     try {
         ptr0 = passArrayF64ToWasm0(left_positions, wasm.__wbindgen_malloc);
         len0 = WASM_VECTOR_LEN;
-        ptr1 = passArray8ToWasm0(left_descriptors, wasm.__wbindgen_malloc);
+        ptr1 = passArrayF64ToWasm0(right_positions, wasm.__wbindgen_malloc);
         len1 = WASM_VECTOR_LEN;
-        ptr2 = passArrayF64ToWasm0(right_positions, wasm.__wbindgen_malloc);
-        len2 = WASM_VECTOR_LEN;
-        ptr3 = passArray8ToWasm0(right_descriptors, wasm.__wbindgen_malloc);
-        len3 = WASM_VECTOR_LEN;
     } catch (e) {
-        if (ptr3) { wasm.__wbindgen_free(ptr3, len3 * 1, 1); }
-        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 8, 8); }
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
         if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
         throw e;
     }
-    const ret = wasm.match_guided_descriptors(ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, guide, options);
+    const ret = wasm.match_guided_descriptors(ptr0, len0, left_descriptors, ptr1, len1, right_descriptors, guide, options);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2348,25 +2234,14 @@ export function match_guided_descriptors(left_positions, left_descriptors, right
  * @param {Photo} right
  * @param {Given<PairInput>} input
  * @param {Given<PairSettings>} settings
- * @param {Uint8Array | number[] | null} [left_mask]
- * @param {Uint8Array | number[] | null} [right_mask]
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer | null} [left_mask]
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer | null} [right_mask]
  * @returns {PairOutput}
  */
 export function match_pair(left, right, input, settings, left_mask, right_mask) {
     _assertClass(left, Photo);
     _assertClass(right, Photo);
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = isLikeNone(left_mask) ? 0 : passArray8ToWasm0(left_mask, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = isLikeNone(right_mask) ? 0 : passArray8ToWasm0(right_mask, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-        throw e;
-    }
-    const ret = wasm.match_pair(left.__wbg_ptr, right.__wbg_ptr, input, settings, ptr0, len0, ptr1, len1);
+    const ret = wasm.match_pair(left.__wbg_ptr, right.__wbg_ptr, input, settings, isLikeNone(left_mask) ? 0 : addToExternrefTable0(left_mask), isLikeNone(right_mask) ? 0 : addToExternrefTable0(right_mask));
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2463,8 +2338,8 @@ export function matches_csv(matches) {
 /**
  * The text of a message, or, by its name, another text that belongs to it, as its `label`; in English, or in the language of a tag (`ar`)
  * that there is a catalogue of.
- * @param {keyof Messages} family
- * @param {Messages[keyof Messages]} message
+ * @param {string} family
+ * @param {any} message
  * @param {string | null} [attribute]
  * @param {string | null} [language]
  * @returns {string}
@@ -2565,27 +2440,14 @@ export function model_points_csv(points) {
 /**
  * The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest` and
  * `match_photos`.
- * @param {Uint8Array | number[]} left
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} left
  * @param {number} first
  * @param {number} end
- * @param {Uint8Array | number[]} right
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} right
  * @returns {NearestPiece}
  */
 export function nearest_piece(left, first, end, right) {
-    const val3 = +first;
-    const val4 = +end;
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passArray8ToWasm0(left, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArray8ToWasm0(right, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-        throw e;
-    }
-    const ret = wasm.nearest_piece(ptr0, len0, val3, val4, ptr1, len1);
+    const ret = wasm.nearest_piece(left, first, end, right);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2637,13 +2499,11 @@ export function one_image(matches, left_width, left_height, right_width, right_h
 
 /**
  * Opens the project file of a pair; one that is damaged or of another kind is refused whole.
- * @param {Uint8Array | number[]} bytes
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} bytes
  * @returns {PairProject}
  */
 export function open_pair_project(bytes) {
-    const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.open_pair_project(ptr0, len0);
+    const ret = wasm.open_pair_project(bytes);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2973,53 +2833,47 @@ export function points_csv(points) {
 
 /**
  * What a project file holds, by its first kilobyte; null for what is no project.
- * @param {Uint8Array | number[]} start
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} start
  * @returns {ProjectKind | null}
  */
 export function project_kind(start) {
-    const ptr0 = passArray8ToWasm0(start, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.project_kind(ptr0, len0);
-    return ret;
+    const ret = wasm.project_kind(start);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
  * What EXIF tells of an image of this size beside its pixels.
- * @param {Uint8Array | number[]} file
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} file
  * @param {number} width
  * @param {number} height
  * @returns {ExifImage}
  */
 export function read_exif(file, width, height) {
-    const val2 = +width;
-    const val3 = +height;
-    const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.read_exif(ptr0, len0, val2, val3);
-    return ret;
+    const ret = wasm.read_exif(file, width, height);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
  * Why a file is refused whose first bytes, or the ending of whose name where these say nothing, are those of a kind that is not decoded (HEIC, raw, film, …);
  * null for all others. 64 bytes tell every kind but raw files that are TIFFs.
  * @param {string} name
- * @param {Uint8Array | number[]} start
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} start
  * @returns {{ kind: string } | null}
  */
 export function refused_kind(name, start) {
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArray8ToWasm0(start, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-        throw e;
+    const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.refused_kind(ptr0, len0, start);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
     }
-    const ret = wasm.refused_kind(ptr0, len0, ptr1, len1);
-    return ret;
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
@@ -3111,16 +2965,17 @@ export function score_matches(matches, left_points, right_position, left_width, 
 
 /**
  * SHA-256 (FIPS 180-4) of bytes: 32 bytes.
- * @param {Uint8Array | number[]} bytes
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} bytes
  * @returns {Uint8Array}
  */
 export function sha256(bytes) {
-    const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.sha256(ptr0, len0);
-    var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+    const ret = wasm.sha256(bytes);
+    if (ret[3]) {
+        throw takeFromExternrefTable0(ret[2]);
+    }
+    var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
     wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-    return v2;
+    return v1;
 }
 
 /**
@@ -3291,7 +3146,8 @@ function __wbg_get_imports() {
             getDataViewMemory0().setInt32((arg0 >>> 0) + 4 * 0, ptr1, true);
         },
         __wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
-            throw new Error(getStringFromWasm0(arg0, arg1));
+            const words = getStringFromWasm0(arg0, arg1);
+            throw new Error(words === 'null pointer passed to rust' ? 'the object was freed, or moved into another one: make a new one' : words);
         },
         __wbg___wbindgen_typeof_ee4990276e02f607: function(arg0) {
             const ret = typeof arg0;
@@ -3374,6 +3230,10 @@ function __wbg_get_imports() {
                 result = false;
             }
             const ret = result;
+            return ret;
+        },
+        __wbg_isArray_bcf1376d0d732d08: function(arg0) {
+            const ret = Array.isArray(arg0);
             return ret;
         },
         __wbg_length_03a2b32a9178fe11: function(arg0) {
@@ -3518,6 +3378,10 @@ function __wbg_get_imports() {
         }, arguments); },
         __wbg_stroke_19fa3f3ec093bc25: function(arg0) {
             arg0.stroke();
+        },
+        __wbg_toStringTag_1bdd39ac5d866229: function() {
+            const ret = Symbol.toStringTag;
+            return ret;
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
             // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 16, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
@@ -3902,7 +3766,8 @@ if (!('encodeInto' in cachedTextEncoder)) {
 
 let WASM_VECTOR_LEN = 0;
 
-let wasmModule, wasmInstance, wasm;
+const unloaded = new Proxy({}, { get() { throw new Error('the module is not loaded: call the default export of tiepoint and wait for it first'); } });
+let wasmModule, wasmInstance, wasm = unloaded;
 function __wbg_finalize_init(instance, module) {
     wasmInstance = instance;
     wasm = instance.exports;
@@ -3958,7 +3823,7 @@ async function __wbg_load(module, imports) {
 }
 
 function initSync(module) {
-    if (wasm !== undefined) return wasm;
+    if (wasm !== unloaded) return wasm;
 
 
     if (module !== undefined) {
@@ -3979,7 +3844,7 @@ function initSync(module) {
 
 let __wbg_init_promise;
 async function __wbg_init(module_or_path) {
-    if (wasm !== undefined) return wasm;
+    if (wasm !== unloaded) return wasm;
     if (__wbg_init_promise === undefined) {
         __wbg_init_promise = __wbg_init_once(module_or_path);
         __wbg_init_promise.catch(() => { __wbg_init_promise = undefined; });

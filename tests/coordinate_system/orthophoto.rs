@@ -138,8 +138,8 @@ fn without_a_system_the_map_is_taken_as_level_and_differs_by_its_scale() {
     for (map, own) in map.iter().zip(&with_system) {
         let above_ground = own[2] - in_utm([0.0; 3])[2];
         let by_scale = (scale - 1.0) * above_ground;
-        // A quarter of a pixel of the orthophoto: focal length and decentring are others by a part of their standard errors.
-        assert!((map[0] - own[0]).hypot(map[1] - own[1]) < 0.25, "{map:?} {own:?}");
+        // Within a pixel of the orthophoto: the decentring, which level ground tells from the tilt by little, is another by a part of its standard error.
+        assert!((map[0] - own[0]).hypot(map[1] - own[1]) < 0.8, "{map:?} {own:?}");
         assert!(by_scale < -0.2 && (map[2] - own[2] - by_scale).abs() < 0.1, "{} m, of which {by_scale} by the scale", map[2] - own[2]);
     }
 }
