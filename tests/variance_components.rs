@@ -52,13 +52,14 @@ fn weighted_image_measurements_keep_the_standard_error_that_was_stated() {
 fn sigma0_is_that_of_tie_points_however_well_others_fit() {
     // A third of all rays are of places whose standard errors are stated five times too large: they neither lower σ₀ nor cost good tie points.
     let case = Case { factors: [0.2, 1.0, 1.0, 1.0, 1.0], control: 150, ..RIGHT };
+    // Rays of tie points have errors of 0.4 px, which their redundancy tells to 0.01.
     for seed in 1..=3 {
         let simulated = Simulated::new(&case, seed).unwrap();
         let adjusted = adjust_block(&simulated.block, &AdjustmentOptions { datum: case.datum, ..AdjustmentOptions::default() }).unwrap();
         let stated = simulated.block.rays.iter().filter(|ray| ray.sigma_px.is_some()).count();
         let rejected = adjusted.rays.iter().filter(|ray| ray.verdict == ObservationVerdict::GrossError).count();
         let sigma0 = adjusted.sigma0_px.unwrap();
-        assert!((0.38..0.42).contains(&sigma0), "{sigma0}, {stated} of {} rays", adjusted.rays.len());
+        assert!((0.37..0.43).contains(&sigma0), "{sigma0}, {stated} of {} rays", adjusted.rays.len());
         assert!(3 * stated > adjusted.rays.len() && 200 * rejected < adjusted.rays.len(), "{rejected} of {}", adjusted.rays.len());
     }
 }
