@@ -288,10 +288,10 @@ test('surveyed points place the block', () => {
     tiepoint(...BLOCK.call, '--out', half(), ...known, '--control', control, '--marks', strange).stderr,
     /the image measurements name absent\.png, which is none of the images/,
   );
-  const other = file(at, 'other.csv', marks.join('\n').replaceAll('.png', '.PNG'));
+  const other = file(at, 'other.csv', marks.join('\n').replaceAll('photo_', 'flight_'));
   assert.match(
     tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', other).stderr,
-    /ground control points: got 0 of 4 measured in two images or more; the block does not have the images photo_00000\.PNG/,
+    /ground control points: got 0 of 4 measured in two images or more; the block does not have the images flight_00000\.png/,
   );
   const stranger = file(at, 'stranger.csv', 'photo_00000.png,P9,10,10\n');
   assert.match(
