@@ -24,6 +24,8 @@ test('a table is what its rows are', () => {
   assert.deepEqual(kind('point,x,y,z\n1,2,3,4\n'), { kind: 'control' });
   assert.deepEqual(kind(MARKS), { kind: 'marks' });
   assert.deepEqual(kind('# of a scan\ny_mm;x_mm;row;col;name\n1;2;3;4;a\n'), { kind: 'fiducials' });
+  assert.equal(kind('Label,Image,x_px,y_px\nP1,DSC_0001.JPG,100,200\n').kind, 'marks');
+  assert.deepEqual(kind('Punkt;Rechtswert;Hochwert;Höhe\nP1;4500000,5;5300000,5;300\n'), { kind: 'control' });
   // Names without an ending are those of the block.
   assert.equal(kind('A1,a,1,2\n', 'A1').kind, 'marks');
   assert.equal(kind('photo_1,7,1,2\n', 'Photo_1.JPG').kind, 'marks');
@@ -38,10 +40,10 @@ test('a table is what its rows are', () => {
     // Image measurements with what is wrong with them, not with control points.
     ['Bild;Punkt;x;y\nDSC_0001;P1;100.5;200\n', /first column has to name images .*, and \u2068?DSC_0001\u2069? is none/],
     ['DSC_0001,P1,100.5,200\n', /first column has to name images/],
-    ['Label,Image,x_px,y_px\nP1,DSC_0001.JPG,100,200\n', /, and \u2068?P1\u2069? is none\. The columns .* are image, point, x and y/],
+    ['P1,DSC_0001.JPG,100,200\n', /, and \u2068?P1\u2069? is none\. The columns .* are image, point, x and y/],
     ['image,point,x,y\none.jpg,P1,1,2\none.jpg,P2,1O0,2\n', /line 3/],
     // Control points with a slip stay control points.
-    ['Punkt;Rechtswert;Hochwert;Höhe\nP1;4500000.5;5300000.5;300\n', /control points/],
+    ['Punkt;Rechtswert;Hochwert;Höhe\nP1;4500000,5;zwei;300\n', /control points/],
     ['P1,4500000.5,two,300\n', /control points/],
     // As OpenDroneMap has them.
     ['EPSG:32632\n449000.1 5300000.2 300.5 100 200 DSC_0001.JPG P1\n449100.1 5300000.2 300.5 300 200 DSC_0001.JPG P2\n', /values stand between spaces/],
