@@ -36,6 +36,7 @@ export async function orthophotoReference() {
       `Orthophoto by COLMAP, OpenCV and GDAL of ${truth.half.length} photographs of ${NAME}, in ${seconds(started)} s: ${truth.size_px.join(' x ')} px of ${truth.gsd_m.toFixed(3)} m, EPSG:${truth.code}, ` +
         `${percent(truth.share_of_matched_heights)} of its heights matched, the others those of COLMAP's points`,
     );
+    console.log(`  its camera: ${JSON.stringify(truth.camera)}`);
     const ground = ['--orthophoto', join(folder, 'orthophoto.tif'), '--heights', join(folder, 'heights.tif')];
     const cameras = join(folder, 'cameras.json');
     writeFileSync(cameras, JSON.stringify({ cameras: [{ ...truth.camera, fixed: true }] }));
