@@ -36,6 +36,10 @@ const PARTS = {
   crashes: async () => (await import('./bench/crashes.mjs')).crashes(),
 };
 
+if (process.argv.includes('--help')) {
+  console.log(`parts: ${Object.keys(PARTS).join(' ')}; all of them where none is named, which takes hours`);
+  process.exit(0);
+}
 const named = process.argv.slice(2).filter((part) => !part.startsWith('--'));
 const stranger = named.find((part) => !(part in PARTS));
 if (stranger) {

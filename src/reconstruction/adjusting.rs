@@ -29,7 +29,7 @@ pub(super) struct KnownParameters {
 pub(super) fn known_parameters(known: &KnownCamera) -> KnownParameters {
     let (camera, within) = (known.approximate(), known.known_within());
     let (values, free) = (camera.values(), camera.free.flags());
-    // The principal point waits for the adjustment of the finished block.
+    // Principal point and decentring wait for the adjustment of the finished block.
     let sigmas = [camera.focal_px * within.focal, 0.0, 0.0, within.k1, RADIAL, 0.0, 0.0, 0.0];
     let known = std::array::from_fn(|k| (values[k], if free[k] { sigmas[k] } else { 0.0 }));
     KnownParameters { known }

@@ -38,15 +38,12 @@ pub fn options_inside<T: DeserializeOwned + Serialize + Default>(what: &'static 
     value.map(with_defaults).transpose().map_err(|fault| refused(what, fault))
 }
 
-/// The names of numbers that JSON has not.
-const NO_NUMBERS: [&str; 3] = ["NaN", "Infinity", "-Infinity"];
-
-/// The JSON form of a value: null where it has none, as `undefined`. A number that is none (NaN, ±Infinity), which would become null and
-/// so read as absent, becomes its name and is refused.
+/// The JSON form of a value: null where it has none, as `undefined`. A number that JSON has not, which would become null and so read as
+/// absent, becomes its name and is refused.
 fn parsed(value: &JsValue) -> Result<Value, JsonFault> {
     let named = Closure::<dyn Fn(JsValue, JsValue) -> JsValue>::new(|_key, value: JsValue| match value.as_f64() {
-        Some(number) if number.is_nan() => NO_NUMBERS[0].into(),
-        Some(number) if number.is_infinite() => NO_NUMBERS[if number > 0.0 { 1 } else { 2 }].into(),
+        Some(number) if number.is_nan() => "NaN".into(),
+        Some(number) if number.is_infinite() => (if number > 0.0 { "Infinity" } else { "-Infinity" }).into(),
         _ => value,
     });
     let text = JSON::stringify_with_replacer(value, named.as_ref()).ok().and_then(|text| text.as_string());
@@ -54,12 +51,7 @@ fn parsed(value: &JsValue) -> Result<Value, JsonFault> {
 }
 
 /// The fault has no place, which would be that in a text that nobody wrote.
-fn refused(what: &'static str, mut json_fault: JsonFault) -> JsValue {
-    // They were given as numbers.
-    let (JsonFault::Field { words, .. } | JsonFault::Text { words, .. }) = &mut json_fault;
-    for name in NO_NUMBERS {
-        *words = words.replace(&format!("invalid type: string \"{name}\""), &format!("invalid value: {name}"));
-    }
+fn refused(what: &'static str, json_fault: JsonFault) -> JsValue {
     thrown(Error::InvalidJson { document: Document::Named { name: what.into() }, json_fault })
 }
 

