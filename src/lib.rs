@@ -126,7 +126,7 @@ pub use pair::{
 pub use pipeline::{
     BlockPlaces, BlockRun, CameraRules, CarriedEdits, ControlTables, ControlTexts, EditedRun, FileNeeded, InitialCamera, Job, JoinedPoints,
     News, NotLinked, OnOrthophoto, PlaceAgain, ReadImage, RefinedObservation, RefinementTable, Run, RunImage, RunInput, SeenIn, SeenPlace,
-    SkippedImage, StageName, Step, Task, Work, digest, execute, masks_of,
+    SkippedImage, StageName, Step, Task, Work, digest, execute, masks_of, measurements_of_images,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use pipeline::{images_in, replace_file, run_block};

@@ -9,7 +9,10 @@ import { pageModules } from './www.js';
 const page = {};
 
 before(async () => {
-  Object.assign(page, await pageModules(['block/state/columns', 'block/state/reducer', 'block/state/state', 'block/state/words', 'block/engine/facts']));
+  Object.assign(
+    page,
+    await pageModules(['block/state/columns', 'block/state/reducer', 'block/state/state', 'block/state/marks', 'block/state/words', 'block/engine/facts']),
+  );
 });
 
 const points = { count: 0, taking: 0, sources: new Float64Array(), rays: new Uint16Array() };
@@ -196,4 +199,59 @@ test('a given point stays chosen when the block is found anew, unless it is in t
   assert.deepEqual(done({}).selection.chosen, { kind: 'given', name: 'A' });
   assert.equal(done({ surveyed: [surveyed('A', [0, 0, 0])] }).selection.chosen, null);
   assert.equal(reduceBlock(chosen, { type: 'options', options: { control: null } }).selection.chosen, null);
+});
+
+/** A block of two images as it is given to a run, with the table of its measurements.  @param {string} marks @param {object} [own] of the block that is shown */
+function withMarks(marks, own = {}) {
+  const files = ['flight/IMG_1.JPG', 'IMG_2.JPG'].map((name, id) => ({ id, name, file: new Blob() }));
+  const state = given('name,x,y,z,use\nA,0,0,0,control\nB,1,0,0,check\n', { geoidM: null, images: files.map(({ name }) => ({ name, rays: 0 })), ...own });
+  return { ...state, files, options: { ...state.options, marks: { name: 'marks.csv', text: marks } } };
+}
+
+test('images are meant by other capitals, without folder and ending, in the file and beside measurements by hand', () => {
+  const state = withMarks('image,point,x,y\nimg_1,A,10,20\nC:\\flight\\img_2.jpg,A,30,40\n');
+  const { options, shown, marks } = state;
+  assert.deepEqual(
+    [...page.marks.placesOfGiven('A', shown.view, options.marks, marks)],
+    [
+      [0, [10, 20]],
+      [1, [30, 40]],
+    ],
+  );
+  // What is measured anew stands in place of what the file says of that image.
+  const again = { image: 'flight/IMG_1.JPG', point: 'A', x_px: 11, y_px: 21 };
+  const byHand = page.reducer.reduceBlock(state, { type: 'mark', step: { kind: 'measure', marks: [again], after: 0 } });
+  assert.deepEqual(
+    [...page.marks.placesOfGiven('A', shown.view, options.marks, byHand.marks)],
+    [
+      [0, [11, 21]],
+      [1, [30, 40]],
+    ],
+  );
+  assert.equal(page.marks.collectedOf(byHand).twice, 1);
+});
+
+test('three control points place a block; beside GNSS positions that do, one point is enough, also to check it', () => {
+  const inTwo = (/** @type {any} */ state, /** @type {string} */ point) => {
+    const marks = ['flight/IMG_1.JPG', 'IMG_2.JPG'].map((image) => ({ image, point, x_px: 1, y_px: 2 }));
+    return page.reducer.reduceBlock(state, { type: 'mark', step: { kind: 'measure', marks, after: 0 } });
+  };
+  const origin = { longitude_deg: 13, latitude_deg: 47, height_m: 500 };
+  const placed = { origin, crs: 'EPSG:32633', geoidM: 0 };
+  for (const [own, point, needed, isTaken] of /** @type {[object, string, number, boolean][]} */ ([
+    [{}, 'A', 3, false],
+    [placed, 'A', 1, true],
+    [placed, 'B', 1, true],
+    // Heights that count from another level do not place the block.
+    [{ ...placed, geoidM: null }, 'A', 3, false],
+    [{ ...placed, crs: null }, 'A', 3, false],
+  ])) {
+    const before = { ...withMarks('', own), options: { ...withMarks('', own).options, marks: null } };
+    assert.equal(page.marks.waitsForMarks(before), true);
+    const state = inTwo(before, point);
+    assert.equal(page.marks.waitsForMarks(state), !isTaken);
+    assert.equal(page.marks.givenToRun(state).control === null, !isTaken);
+    assert.equal(page.marks.collectedOf(state).needed, needed);
+    assert.match(page.words.controlText(state), new RegExp(`${needed} (is|are) needed`));
+  }
 });

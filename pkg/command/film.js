@@ -72,10 +72,10 @@ async function run({ positionals, values }) {
     ...scan,
     marks: marksOf(scan.table, undefined),
   }));
-  const measured = typeof marksFile === 'string' ? measurementsOf(marksFile, scans) : null;
-  const marks_mm = calibrated(scans.flatMap(({ marks }) => marks.fiducials));
-  const outputs = OUTPUTS.filter((name) => name !== MARKS || measured !== null);
+  const outputs = OUTPUTS.filter((name) => name !== MARKS || typeof marksFile === 'string');
   const there = earlier(out, outputs);
+  const measured = typeof marksFile === 'string' ? measurementsOf(marksFile, scans, there) : null;
+  const marks_mm = calibrated(scans.flatMap(({ marks }) => marks.fiducials));
   const largest = Math.max(...scans.map(({ marks, table: file }) => about(file, () => film_pixel_mm({ camera, scan: marks, marks_mm }))));
   const pixel = pixelOfFilm(camera.focal_mm, largest, there.cameras);
   const shown = new Progress({ steps: scans.length });
@@ -191,7 +191,7 @@ function earlier(out, outputs) {
   const cameras = read(CAMERAS, parse_camera_rules, []);
   if (rows.length > 0 && cameras.length === 0)
     throw new DataError(`${join(out, CAMERAS)} is missing, with the cameras of the images that are there; name another folder`);
-  return { cameras, table, rows, measured: read(MARKS, parse_image_measurements, []) };
+  return { cameras, table, rows, measured: read(MARKS, (text) => parse_image_measurements(text), []) };
 }
 
 /** The rows of film.csv.  @param {string} text without its head @returns {Finished[]} */
@@ -243,13 +243,14 @@ function withMasks(scans, folder) {
   return scans.map((scan, k) => ({ ...scan, mask: files[of[k] ?? -1] ?? null }));
 }
 
-/** What was measured, some of it in these scans.  @param {string} file @param {readonly { file: string }[]} scans */
-function measurementsOf(file, scans) {
+/** What was measured, some of it in these scans.  @param {string} file @param {readonly { file: string }[]} scans @param {Earlier} there of films before */
+function measurementsOf(file, scans, there) {
   const text = readText(file);
-  const measured = about(file, () => parse_image_measurements(text));
-  const names = new Set(scans.map((scan) => basename(scan.file)));
-  if (!measured.some(({ image }) => names.has(image)))
-    throw new DataError(`${file}: no measurement is of a scan; give each the name of its scan, as ${[...names][0]}, in the column image`);
+  const names = scans.map((scan) => basename(scan.file));
+  const all = new Set([...names, ...there.rows.map(({ scan }) => scan)]);
+  const measured = about(file, () => parse_image_measurements(text, [...all]));
+  if (!measured.some(({ image }) => names.includes(image)))
+    throw new DataError(`${file}: no measurement is of a scan; give each the name of its scan, as ${names[0]}, in the column image`);
   return measured;
 }
 

@@ -55,6 +55,7 @@ pub use input::{ControlTexts, RunInput};
 pub use job::{FileNeeded, Job, News, ReadImage, StageName, Step, Work};
 pub(crate) use mask_file::decode_mask;
 pub use masks::masks_of;
+pub use named_images::measurements_of_images;
 pub use on_orthophoto::{NotLinked, OnOrthophoto};
 pub use places::{BlockPlaces, PlaceAgain, SeenIn, SeenPlace};
 pub use records::digest;

@@ -1,5 +1,6 @@
 //! Which image of a block a table means: tables of other programs name images with their folders, in other capitals or without the ending.
 
+use crate::ImageMeasurementRow;
 use std::collections::BTreeMap;
 
 /// The images of a block by what tables call them.
@@ -31,6 +32,20 @@ impl<'a> NamedImages<'a> {
         let found = self.exact.get(name).copied().or_else(|| self.by_file.get(&file).copied().flatten());
         found.or_else(|| self.by_stem.get(&file).copied().flatten())
     }
+}
+
+/// Image measurements with the names that these images have; those of images that are not among them stay as they are.
+///
+/// A table means the image of its name, else the only one of this file name whatever folder and capitals, else, where its name has no
+/// ending, the only one of this name without its ending.
+pub fn measurements_of_images(mut rows: Vec<ImageMeasurementRow>, images: &[String]) -> Vec<ImageMeasurementRow> {
+    let named = NamedImages::new(images);
+    for row in &mut rows {
+        if let Some(image) = named.find(&row.image) {
+            row.image.clone_from(&images[image]);
+        }
+    }
+    rows
 }
 
 fn file_of(name: &str) -> String {
@@ -66,6 +81,9 @@ mod tests {
             ("", None),
         ] {
             assert_eq!(images.find(name), wanted, "{name}");
+            let row = ImageMeasurementRow { image: name.into(), point: "P1".into(), x_px: 1.0, y_px: 2.0 };
+            let own = wanted.map_or(name, |image| &names[image]);
+            assert_eq!(measurements_of_images(vec![row.clone()], &names), [ImageMeasurementRow { image: own.into(), ..row }]);
         }
     }
 }

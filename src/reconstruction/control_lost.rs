@@ -24,7 +24,11 @@ impl<'a> Measured<'a> {
         let is_measured = |point: &GroundControlPoint| {
             point.measurements.iter().filter(|seen| model.images.binary_search(&seen.image).is_ok()).count() >= 2
         };
-        let is_taken = |index: usize| model.points.contains(&PointSource::GroundControl(index));
+        // One whose image measurements are all rejected is lost, too.
+        let is_taken = |index: usize| {
+            let place = model.points.iter().position(|point| *point == PointSource::GroundControl(index));
+            place.is_some_and(|place| model.adjusted.points[place].is_some())
+        };
         Self { points: control.filter(|(_, point)| is_measured(point)).map(|(index, point)| (point, is_taken(index))).collect() }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::convert::{Bytes, JsResult, pack, read, side, thrown};
 use crate::{
-    Connection, ConnectionGraph, Error, ExifImage, ExportFormat, parse_camera_rules as read_rules,
+    Connection, ConnectionGraph, Error, ExifImage, ExportFormat, measurements_of_images, parse_camera_rules as read_rules,
     parse_ground_control_points as read_points, parse_image_measurements as read_marks,
 };
 use wasm_bindgen::JsValue;
@@ -27,10 +27,12 @@ pub fn parse_ground_control_points(text: &str) -> JsResult<JsValue> {
     read_points(text).map(|points| pack(&points)).map_err(thrown)
 }
 
-/// Reads where images show surveyed points: lines of image, point, x, y in px.
+/// Reads where images show surveyed points: lines of image, point, x, y in px. `images`: names of images, which stand in the rows where the
+/// table means them, by other capitals, with a folder or without their ending.
 #[wasm_bindgen(unchecked_return_type = "ImageMeasurementRow[]")]
-pub fn parse_image_measurements(text: &str) -> JsResult<JsValue> {
-    read_marks(text).map(|marks| pack(&marks)).map_err(thrown)
+pub fn parse_image_measurements(text: &str, images: Option<Vec<String>>) -> JsResult<JsValue> {
+    let rows = read_marks(text).map_err(thrown)?;
+    Ok(pack(&measurements_of_images(rows, &images.unwrap_or_default())))
 }
 
 /// The names of the formats that blocks are written in.

@@ -283,7 +283,7 @@ test('masks of scans and measurements beside a frame', () => {
   const scans = FILM.scans.slice(0, 2);
   image(at, 'film_0_mask.png', ...SIZE, (col, row) => (col >= 200 && col < 300 && row >= 150 && row < 250 ? 0 : 255));
   image(at, 'other.png', 4, 4, () => 0);
-  const marks = file(at, 'measured.csv', 'image,point,x,y\nfilm_0.png,P1,284.5,236.5\nfilm_1.png,P2,3,4\nIMG_7.jpg,P1,10.25,20.5\n');
+  const marks = file(at, 'measured.csv', 'image,point,x,y\nFilm_0,P1,284.5,236.5\nscans/film_1.PNG,P2,3,4\nIMG_7.jpg,P1,10.25,20.5\n');
   const { code, stdout, stderr } = tiepoint('film', ...scans, '--camera', FILM.camera, '--masks', at, '--marks', marks, '--out', out, '--json');
   assert.equal(code, 0, stderr);
   assert.match(stderr, /masks of no scan: other\.png/);

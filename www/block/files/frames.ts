@@ -114,13 +114,13 @@ class Carried {
   /** Those of a file; one that cannot be read, or has none of a scan, stays as it is. */
   table(file: TextFile | null): TextFile | null {
     if (file === null) return null;
+    const scans = new Set(this.frames.map(({ scan }) => scan));
     let rows: ImageMeasurementRow[];
     try {
-      rows = parse_image_measurements(file.text);
+      rows = parse_image_measurements(file.text, [...scans]);
     } catch {
       return file;
     }
-    const scans = new Set(this.frames.map(({ scan }) => scan));
     if (!rows.some(({ image }) => scans.has(image))) return file;
     this.count(rows);
     return { name: file.name, text: image_measurement_table(this.rows(rows)) };

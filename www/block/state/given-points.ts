@@ -25,10 +25,10 @@ const besideBlock = remember((view: BlockView, control: TextFile | null, crs: st
   );
 });
 
-const measured = remember((points: readonly Beside[], file: TextFile | null, history: History<MarkStep>): readonly ViewGiven[] => {
+const measured = remember((points: readonly Beside[], view: BlockView, file: TextFile | null, history: History<MarkStep>): readonly ViewGiven[] => {
   if (points.length === 0) return NONE_GIVEN;
   const images = new Map<string, number>();
-  for (const { point } of allMarks(file, history)) images.set(point, (images.get(point) ?? 0) + 1);
+  for (const { point } of allMarks(file, history, view.images)) images.set(point, (images.get(point) ?? 0) + 1);
   return points.map((point) => ({ ...point, images: images.get(point.name) ?? 0 }));
 });
 
@@ -64,5 +64,5 @@ function ofFile(view: BlockView, { options, marks }: Pick<BlockState, 'options' 
   if (options.control === null) return NONE_GIVEN;
   const { crs = null, geoid_m = null } = options.settings?.placing ?? {};
   // Of an opened block the settings are not those that it was made with.
-  return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? view.geoidM ?? 0), options.marks, marks);
+  return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? view.geoidM ?? 0), view, options.marks, marks);
 }

@@ -27,10 +27,11 @@ export const PARTNER_MISSING: Readonly<Partial<Record<Given, string>>> = {
   marks: say('image-measurements-need-their-ground'),
 };
 
-type WithGiven = Pick<BlockState, 'files' | 'options' | 'marks'>;
+type WithGiven = Pick<BlockState, 'files' | 'options' | 'marks' | 'shown'>;
 
-export function problemsOf({ files, options, marks }: WithGiven): Problems {
-  return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks, options.geoid, marks);
+export function problemsOf(state: WithGiven): Problems {
+  const { files, options } = state;
+  return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks, options.geoid, collectedOf(state));
 }
 
 /** The first of them; null where there is none. */
@@ -47,7 +48,7 @@ const problems = remember(
     marks: BlockOptions['marks'],
     masks: BlockOptions['masks'],
     geoid: BlockOptions['geoid'],
-    byHand: BlockState['marks'],
+    { run }: ReturnType<typeof collectedOf>,
   ): Problems => {
     // Nothing is given before the crate is there to read it.
     if (placing === null) return {};
@@ -65,7 +66,6 @@ const problems = remember(
     if (cameras !== null) look('cameras', cameras.name, () => check_cameras(cameras.text, names));
     const pointsRead = control !== null && look('control', control.name, () => parse_ground_control_points(control.text));
     const marksRead = marks === null || look('marks', marks.name, () => parse_image_measurements(marks.text));
-    const { run } = collectedOf({ files, options: { control, marks }, marks: byHand });
     if (pointsRead && marksRead && run !== null) look('marks', marks?.name ?? '', () => check_control(run.points, run.marks, names, placing));
     if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? '';
     look('masks', '', () =>

@@ -7,8 +7,9 @@ import { remember } from '../../shared/state/remember';
 import type { TextFile } from './file';
 import type { BlockView } from './view';
 
-/** So many control points place a block, each measured in so many images. */
-export const LEAST_POINTS = 3;
+/** So many control points place a block, each measured in so many images. Beside GNSS positions that place it one point is of use, whatever it is for. */
+const LEAST_POINTS = 3;
+const LEAST_BESIDE_GNSS = 1;
 const LEAST_IMAGES = 2;
 
 /** What is done and undone at once to what a run is given. `after`: so many edits of the block held then; what was done last is undone first. */
@@ -30,7 +31,11 @@ interface Given {
 /** The points of a file; none of one that cannot be read, which is said where it is given. */
 export const pointsOfFile = remember((control: TextFile | null): readonly GroundControlRow[] => readOr(control, parse_ground_control_points));
 
-const marksOfFile = remember((marks: TextFile | null): readonly ImageMeasurementRow[] => readOr(marks, parse_image_measurements));
+/** With the names of the images that the file means. */
+const marksOfFile = remember((marks: TextFile | null, images: readonly Named[]): readonly ImageMeasurementRow[] => {
+  const names = images.map(({ name }) => name);
+  return readOr(marks, (text) => parse_image_measurements(text, names));
+});
 
 function readOr<T>(file: TextFile | null, read: (text: string) => T[]): readonly T[] {
   try {
@@ -56,45 +61,57 @@ export const marksByHand = remember(({ edits, done }: History<MarkStep>): readon
 });
 
 /** All measurements, those by hand in place of those of the file. */
-export const allMarks = remember((file: TextFile | null, history: History<MarkStep>): readonly ImageMeasurementRow[] => {
-  const all = [...marksOfFile(file), ...marksByHand(history)];
+export const allMarks = remember((file: TextFile | null, history: History<MarkStep>, images: readonly Named[]): readonly ImageMeasurementRow[] => {
+  const all = [...marksOfFile(file, images), ...marksByHand(history)];
   return [...new Map(all.map((mark) => [keyOf(mark), mark])).values()];
 });
 
 interface Collected {
-  /** Of control points, those that are measured in two images or more. */
+  /** Of the points that count, those that are measured in two images or more. */
   twice: number;
+  /** So many points are needed. */
+  needed: number;
   /** The texts of a run; null where the points take no part in it. */
   run: { points: string; marks: string } | null;
   /** Nothing was measured by hand: files are taken as they are, and refused where they cannot be. */
   asGiven: boolean;
 }
 
-const collected = remember((control: TextFile | null, file: TextFile | null, history: History<MarkStep>, files: readonly Named[]): Collected => {
-  const byHand = marksByHand(history);
-  if (control === null) return { twice: 0, run: null, asGiven: true };
-  if (file !== null && byHand.length === 0) return { twice: 0, run: { points: control.text, marks: file.text }, asGiven: true };
-  const points = pointsOfFile(control);
-  const [names, images] = [new Set(points.map(({ name }) => name)), new Set(files.map(({ name }) => name))];
-  // What is of points or images that are there no longer waits for them; a file says so by itself.
-  const ofHand = new Set(byHand);
-  const marks = allMarks(file, history).filter((mark) => !ofHand.has(mark) || (names.has(mark.point) && images.has(mark.image)));
-  const seen = new Map<string, number>();
-  for (const { point, image } of marks) if (images.has(image)) seen.set(point, (seen.get(point) ?? 0) + 1);
-  const twice = points.filter(({ name, role }) => role === 'control' && (seen.get(name) ?? 0) >= LEAST_IMAGES).length;
-  return { twice, run: twice < LEAST_POINTS ? null : { points: control.text, marks: image_measurement_table(marks) }, asGiven: false };
-});
+const collected = remember(
+  (control: TextFile | null, file: TextFile | null, history: History<MarkStep>, files: readonly Named[], besideGnss: boolean): Collected => {
+    const byHand = marksByHand(history);
+    const needed = besideGnss ? LEAST_BESIDE_GNSS : LEAST_POINTS;
+    if (control === null) return { twice: 0, needed, run: null, asGiven: true };
+    if (file !== null && byHand.length === 0) return { twice: 0, needed, run: { points: control.text, marks: file.text }, asGiven: true };
+    const points = pointsOfFile(control);
+    const [names, images] = [new Set(points.map(({ name }) => name)), new Set(files.map(({ name }) => name))];
+    // What is of points or images that are there no longer waits for them; a file says so by itself.
+    const ofHand = new Set(byHand);
+    const marks = allMarks(file, history, files).filter((mark) => !ofHand.has(mark) || (names.has(mark.point) && images.has(mark.image)));
+    const seen = new Map<string, number>();
+    for (const { point, image } of marks) if (images.has(image)) seen.set(point, (seen.get(point) ?? 0) + 1);
+    const counts = ({ role }: GroundControlRow) => role === 'control' || (besideGnss && role === 'check');
+    const twice = points.filter((point) => counts(point) && (seen.get(point.name) ?? 0) >= LEAST_IMAGES).length;
+    return { twice, needed, run: twice < needed ? null : { points: control.text, marks: image_measurement_table(marks) }, asGiven: false };
+  },
+);
 
 /** What of control points a state has. */
 export interface WithMarks {
   files: readonly Named[];
   options: Given;
   marks: History<MarkStep>;
+  shown: { found: Pick<BlockView, 'crs' | 'geoidM' | 'origin'> } | null;
 }
 
+/** Whether the block was found at a place on the earth, in the coordinate system of the points, with heights that count from where theirs do. */
+const isPlaced = ({ shown }: Pick<WithMarks, 'shown'>): boolean =>
+  shown !== null && shown.found.origin !== null && shown.found.crs !== null && shown.found.geoidM !== null;
+
 /** How far the measurements are. */
-export function collectedOf({ files, options, marks }: WithMarks): Collected {
-  return collected(options.control, options.marks, marks, files);
+export function collectedOf(state: WithMarks): Collected {
+  const { files, options, marks } = state;
+  return collected(options.control, options.marks, marks, files, isPlaced(state));
 }
 
 /** Whether control points are given that take no part in a run yet. */
@@ -114,7 +131,7 @@ export function givenToRun(state: WithMarks): Given {
 export const placesOfGiven = remember((name: string, view: BlockView, file: TextFile | null, history: History<MarkStep>): ReadonlyMap<number, Position> => {
   const index = new Map(view.images.map((image, i) => [image.name, i]));
   return new Map(
-    allMarks(file, history).flatMap(({ point, image, x_px, y_px }): [number, Position][] => {
+    allMarks(file, history, view.images).flatMap(({ point, image, x_px, y_px }): [number, Position][] => {
       const at = index.get(image);
       return point === name && at !== undefined ? [[at, [x_px, y_px]]] : [];
     }),

@@ -1,6 +1,6 @@
 /** What the page says of an image or a pair of a block. */
 import { count, fixed } from '../../shared/text/format';
-import { collectedOf, LEAST_POINTS } from './marks';
+import { collectedOf } from './marks';
 import type { WithMarks } from './marks';
 import { keyOfPair } from './selection';
 import type { Choice } from './selection';
@@ -152,7 +152,8 @@ function describeGiven(given: readonly ViewGiven[], name: string): string {
 
 /** Why control points take no part, and what they lack. */
 export function controlText(state: WithMarks): string {
-  return say('control-waits', { twice: collectedOf(state).twice, needed: LEAST_POINTS });
+  const { twice, needed } = collectedOf(state);
+  return say('control-waits', { twice, needed });
 }
 
 /** What a given point is for, and how far it is. */

@@ -1127,8 +1127,14 @@ control-waits = The control points take no part yet: { $twice ->
     [0] none is
     [one] 1 is
    *[other] { $twice } are
-  } measured in two images or more, { $needed } are needed. Choose them in the table of control and check points, and press Measure.
-control-can-be-taken = { $twice } control points are measured in two images or more.
+  } measured in two images or more, { $needed ->
+    [one] 1 is
+   *[other] { $needed } are
+  } needed. Choose them in the table of control and check points, and press Measure.
+control-can-be-taken = { $twice ->
+    [one] 1 point is
+   *[other] { $twice } points are
+  } measured in two images or more.
 taking-the-control = The block is adjusted again with them from what was matched, which takes seconds.{ $kept ->
     [edits] { " " }Edits by hand stay, but for those of its tie points.
    *[none] { "" }
