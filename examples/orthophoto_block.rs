@@ -143,12 +143,12 @@ impl Photos {
     }
 }
 
-/// Sums of squares of X, Y, Z, ω, φ, κ of all images and of the focal lengths of all blocks: of errors, and of these by their standard errors. A block
-/// has one focal length, and errors of Z follow it: of few blocks their mean is that of few numbers.
+/// Sums of squares of X, Y, Z, ω, φ, κ of all images, of the focal lengths of all blocks, and of their changes by the orthophoto: of errors, and of
+/// these by their standard errors. A block has one focal length, and errors of Z follow it: of few blocks their mean is that of few numbers.
 #[derive(Default)]
 struct Sums {
-    errors: [f64; 7],
-    ratios: [f64; 7],
+    errors: [f64; 8],
+    ratios: [f64; 8],
     images: usize,
     linked: usize,
 }
@@ -159,7 +159,8 @@ impl Sums {
         self.ratios[k] += (error / standard_error).powi(2);
     }
 
-    fn judge(&mut self, run: &BlockRun, scene: &BlockScene) {
+    /// `before`: the block without the orthophoto.
+    fn judge(&mut self, run: &BlockRun, before: &BlockRun, scene: &BlockScene) {
         let (truth, model) = (scene.truth(), &run.reconstruction.as_ref().expect("a block that is oriented").models[0]);
         for (image, statistics) in model.images.iter().zip(&model.adjusted.images) {
             let (Some(own), Some(known)) = (run.model.images[*image].pose, truth.images[*image].pose) else { continue };
@@ -174,6 +175,10 @@ impl Sums {
         let focal = model.adjusted.cameras[0].standard_errors[0].expect("a focal length that was estimated");
         let off = model.adjusted.block.cameras[0].focal_px - truth.cameras[0].focal_px;
         self.add(6, off, focal);
+        let before = &before.reconstruction.as_ref().expect("a block that is oriented").models[0].adjusted;
+        let change = model.adjusted.block.cameras[0].focal_px - before.block.cameras[0].focal_px;
+        let alone = before.cameras[0].standard_errors[0].expect("a focal length that was estimated");
+        self.add(7, change, (alone * alone - focal * focal).max(0.0).sqrt());
         self.linked += 1;
         let checks: Vec<_> = model.surveyed.iter().filter(|point| point.role == ControlRole::Check).collect();
         let root = |of: &dyn Fn(&SurveyedPoint, usize) -> f64, k: usize| {
@@ -187,15 +192,17 @@ impl Sums {
     }
 
     fn print(&self, name: &str, blocks: u32) {
-        let mean = |of: &[f64; 7]| {
+        let mean = |of: &[f64; 8]| {
             let mut mean = of.map(|sum| sum / self.images.max(1) as f64);
-            mean[6] = of[6] / self.linked.max(1) as f64;
+            [6, 7].iter().for_each(|k| mean[*k] = of[*k] / self.linked.max(1) as f64);
             mean
         };
-        let [x, y, z, omega, phi, kappa, focal] = mean(&self.errors).map(f64::sqrt);
+        let [x, y, z, omega, phi, kappa, focal, change] = mean(&self.errors).map(f64::sqrt);
         println!("  {name}: {} of {blocks} blocks linked", self.linked);
-        println!("    RMS error of centres X {x:.3}, Y {y:.3}, Z {z:.3} m, of ω {omega:.4}, φ {phi:.4}, κ {kappa:.4}°, of f {focal:.2} px");
-        println!("    mean square of error by standard error X Y Z ω φ κ f {:.2?}", mean(&self.ratios));
+        println!(
+            "    RMS error of centres X {x:.3}, Y {y:.3}, Z {z:.3} m, of ω {omega:.4}, φ {phi:.4}, κ {kappa:.4}°, of f {focal:.2} px, which the orthophoto changed by {change:.2} px"
+        );
+        println!("    mean square of error by standard error X Y Z ω φ κ f, change of f {:.2?}", mean(&self.ratios));
     }
 }
 
@@ -236,7 +243,7 @@ fn main() -> ExitCode {
             let outcome = run.orthophoto.clone().expect("an orthophoto was given");
             println!("  seed {seed}, {name}: {} photos. {outcome}", scene.photos());
             if matches!(outcome, OnOrthophoto::Linked { .. }) {
-                sums.judge(&run, &scene);
+                sums.judge(&run, &block.run, &scene);
             }
             if seed == first && photos > 0 && matches!(fault, Fault::None) {
                 wrong = strangers(&reference, &area, &options, seed, photos as usize);

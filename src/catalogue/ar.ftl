@@ -657,6 +657,7 @@ block-warning-measurements-rejected =
     }
 block-warning-focal-estimated = البعد البؤري لـ{ $camera } غير معروف؛ قُدّر بخطأ معياري ± { FIXED($error_px, digits: 1) } بكسل.
 block-warning-focal-undetermined = البعد البؤري لـ{ $camera } غير معروف، ولا تحدده الكتلة: مقياس الارتفاعات خاطئ.
+block-warning-focal-of-ground = تجعل الصور وحدها البعد البؤري لـ{ $camera } { FIXED($images_px, digits: 1) } ± { FIXED($images_error_px, digits: 1) } بكسل، وتجعله مواضع الصورة المصححة { FIXED($ground_px, digits: 1) } ± { FIXED($ground_error_px, digits: 1) } بكسل، والفرق أكبر مما تفسره الصدفة: قد تكون ارتفاعات الصور خاطئة بهذا القدر. أعطِ كاميرا معايرة، أو افحص الصورة المصححة وارتفاعاتها.
 block-warning-parameter-fixed = لا تحدد الكتلة { $camera_parameter } لـ{ $camera }؛ فبقي كما كان.
 block-warning-few-observations =
     { $images_count ->

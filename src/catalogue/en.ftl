@@ -1082,6 +1082,7 @@ block-warning-measurements-rejected =
     }
 block-warning-focal-estimated = The focal length of { $camera } is not known; it is estimated with a standard error of ± { FIXED($error_px, digits: 1) } px.
 block-warning-focal-undetermined = The focal length of { $camera } is not known, and the block does not determine it: the scale of the heights is wrong.
+block-warning-focal-of-ground = The images by themselves make the focal length of { $camera } { FIXED($images_px, digits: 1) } ± { FIXED($images_error_px, digits: 1) } px, the places of the orthophoto { FIXED($ground_px, digits: 1) } ± { FIXED($ground_error_px, digits: 1) } px, further apart than chance has them: heights of the images may be as wrong. Give a calibrated camera, or check the orthophoto and its heights.
 block-warning-parameter-fixed = The block does not determine { $camera_parameter } of { $camera }; it stays as it was.
 block-warning-few-observations =
     { $images_count ->

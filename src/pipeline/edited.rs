@@ -1,6 +1,7 @@
 //! A finished block with edits by hand: the block as it was found, and a new adjustment by what the edits leave.
 
 use super::added_control::added_control;
+use super::focal_change::tell_after_edits;
 use super::ground::{is_place_of_orthophoto, own_control};
 use super::mistakes::explain_control;
 use super::points::reconstruction_options;
@@ -91,6 +92,7 @@ impl BlockRun {
             model.surveyed.clear();
         }
         explain_control(&mut model, assembly.origin, &input, options.adjustment.limit());
+        tell_after_edits(&mut model, &before.models[0], &description);
         let by_hand = if is_linked { None } else { placed_by_hand(&model, edits, as_found.control.len(), in_crs) };
         assembly.models[0] = model;
         assembly.unoriented.extend(edited.unoriented);

@@ -1,5 +1,6 @@
 //! A finished block in the system of an orthophoto: places of its ground that images show become ground control points.
 
+use super::focal_change::tell_by_ground;
 use super::gross_places::{GROSS, beside_neighbours, beyond};
 use super::mistakes::explain_control;
 use super::place_factors::{PlaceFactors, PlaceResidual, place_factors};
@@ -291,6 +292,9 @@ impl<'a> Ground<'a> {
         let origin = origin_of(&description)?;
         let checked = input.clone().checked(found.geoid.as_ref())?;
         explain_control(&mut model, origin, &checked, reconstruction_options(&checked.settings).adjustment.limit());
+        if let Some(before) = found.reconstruction.as_ref().ok().and_then(|assembly| assembly.models.first()) {
+            tell_by_ground(&mut model, before, &description);
+        }
         let role = |role| self.added.iter().filter(move |row| row.role == role).map(|row| row.name.as_str());
         let names: BTreeSet<&str> = role(Some(ControlRole::Control)).chain(role(Some(ControlRole::Check))).collect();
         let seeing = self.measurements.iter().filter(|seen| names.contains(seen.point.as_str()));

@@ -13,6 +13,7 @@ mod execute;
 mod fault;
 mod features;
 #[cfg(not(target_arch = "wasm32"))]
+mod focal_change;
 mod folder;
 mod geoid;
 mod gross_places;

@@ -111,6 +111,8 @@ messages! {
         FocalEstimated { camera: NamedCamera, error_px: f64 },
         /// A focal length that was not known and stays so.
         FocalUndetermined { camera: NamedCamera },
+        /// A focal length that the places of an orthophoto make another one than the images by themselves.
+        FocalOfGround { camera: NamedCamera, images_px: f64, images_error_px: f64, ground_px: f64, ground_error_px: f64 },
         /// A parameter of a camera that the block does not determine.
         ParameterFixed { camera: NamedCamera, camera_parameter: CameraParameter },
         /// Images with fewer observations than `least`.
@@ -152,6 +154,7 @@ impl BlockWarning {
             | Self::Scale { .. }
             | Self::Degrees
             | Self::FocalUndetermined { .. }
+            | Self::FocalOfGround { .. }
             | Self::ManyRejected { .. } => true,
             Self::NoHeights
             | Self::PositionsRejected { .. }
