@@ -41,7 +41,7 @@ fn main() -> Result<(), Failure> {
     for index in (0..model.images.len()).filter(|index| !is_kept(index)) {
         let image = &model.images[index];
         let Some(pose) = image.pose else { continue };
-        let known = PlacingCamera { camera: model.cameras[image.camera], uncertainty: CameraUncertainty::NONE };
+        let known = PlacingCamera { camera: model.cameras[image.camera], uncertainty: CameraUncertainty::NONE, decentring: None };
         let start = std::time::Instant::now();
         let placed = place_image(grey(index)?.view(), &known, &orthophoto, &area, &options)?;
         println!("{}: {} {:.1} s", image.name, placed.verdict, start.elapsed().as_secs_f64());

@@ -212,7 +212,7 @@ fn strangers(reference: &Orthophoto, area: &SearchArea, options: &PlacingOptions
     let camera = scene.truth().cameras[0];
     let is_placed = |index: &usize| {
         let photo = scene.photo(*index).expect("a photo of the flight");
-        let known = PlacingCamera { camera, uncertainty: CameraUncertainty::EXIF };
+        let known = PlacingCamera { camera, uncertainty: CameraUncertainty::EXIF, decentring: None };
         let found = place_image(photo.view(), &known, reference, area, options).expect("a camera as large as the photo");
         !matches!(found.verdict, PlacingVerdict::NotPlaced { .. })
     };

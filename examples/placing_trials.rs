@@ -34,7 +34,11 @@ struct Tally {
 fn trial(scene: &BlockScene, index: usize, area: &(Orthophoto, SearchArea), camera: &(&str, CameraUncertainty, f64), tally: &mut Tally) {
     let (truth, options) = (scene.truth(), options());
     let true_camera = truth.cameras[truth.images[index].camera];
-    let known = PlacingCamera { camera: Camera { focal_px: camera.2 * true_camera.focal_px, ..true_camera }, uncertainty: camera.1 };
+    let known = PlacingCamera {
+        camera: Camera { focal_px: camera.2 * true_camera.focal_px, ..true_camera },
+        uncertainty: camera.1,
+        decentring: None,
+    };
     let photo = scene.photo(index).expect("a photo of the flight");
     let found = place_image(photo.view(), &known, &area.0, &area.1, &options).expect("a camera as large as the photo");
     tally.photos += 1;

@@ -378,6 +378,16 @@ test('points that are one are joined, one that is two is split, as one step with
   assert.equal(joined([surveyed, { ...surveyed, id: { ground_control: 8 } }]), null);
   assert.equal(joined([first]), null);
 
+  // A point has one place in an image.
+  const { apart } = page.joining;
+  assert.equal(apart([first, second]), null);
+  const beside = (/** @type {number} */ px) => ({ id: { tie_point: 5 }, observations: [place(0), { ...place(1), x_px: 10 + px }] });
+  assert.equal(apart([first, beside(4)]), null);
+  assert.deepEqual(apart([first, beside(6), beside(-7)]), { image: 1, px: 13 });
+  // What is rejected is no place of it.
+  const rejected = { id: { tie_point: 6 }, observations: [place(0), { ...place(1, 'rejected_by_hand'), x_px: 300 }, place(2)] };
+  assert.equal(apart([first, rejected]), null);
+
   const four = { id: { tie_point: 9 }, observations: [0, 1, 2, 3].map((image) => place(image)) };
   const parts = split(four, [1, 3, 5]);
   assert.deepEqual(parts, [

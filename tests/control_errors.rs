@@ -520,3 +520,52 @@ fn a_wrong_control_point_accuses_no_neighbour() {
         }
     }
 }
+
+#[test]
+fn check_points_that_differ_alike_are_told_though_each_is_within_its_standard_error() {
+    let apart = |model: &ReconstructedModel| {
+        let of = |warning: &BlockWarning| match *warning {
+            BlockWarning::ChecksApart { axis, points, difference_m, error_m } => Some((axis, points, difference_m, error_m)),
+            _ => None,
+        };
+        model.warnings.iter().find_map(of)
+    };
+    let checks =
+        |scene: &Scene| (0..scene.description.control.len()).filter(|k| scene.description.control[*k].role == ControlRole::Check).collect();
+    let mut clean = 0;
+    for seed in 40..48 {
+        for control_points in [0, 6] {
+            let mut scene = flown(control_points, true, seed);
+            clean += usize::from(apart(&adjusted(&scene)).is_some());
+            if seed > 41 {
+                continue;
+            }
+            // Errors of the block are common to the points: their mean is known less well than by chance alone, and better than one of them.
+            let error_m = adjusted(&scene).surveyed.iter().filter_map(|point| point.standard_errors_m[2]).fold(0.0, f64::max);
+            let raised: Vec<usize> = checks(&scene);
+            raised.iter().for_each(|point| place(&mut scene.description.control[*point])[2] += 6.0 * error_m);
+            let (axis, points, difference_m, told_m) = apart(&adjusted(&scene)).unwrap();
+            assert_eq!((axis, points), (Axis::Z, 4));
+            assert!((difference_m + 6.0 * error_m).abs() < 3.0 * error_m && told_m < 1.2533 * error_m, "{difference_m} {told_m} {error_m}");
+        }
+    }
+    assert!(clean <= 1, "{clean} of 16");
+}
+
+#[test]
+fn the_only_control_point_is_lost_by_its_measurements_beside_positions_and_that_is_told() {
+    for count in [1, 2] {
+        let mut scene = flown(count, true, 5);
+        let first = control(&scene)[0];
+        for mark in &mut scene.description.control[first].measurements {
+            let camera = scene.description.images[mark.image].camera;
+            mark.y_px = f64::from(scene.description.cameras[camera].height_px) - mark.y_px;
+        }
+        let model = adjusted(&scene);
+        let lost = model.warnings.iter().find_map(|warning| match *warning {
+            BlockWarning::ControlLost { lost, points, from_bottom } => Some((lost, points, from_bottom)),
+            _ => None,
+        });
+        assert_eq!(lost, Some((1, count, true)));
+    }
+}

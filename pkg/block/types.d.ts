@@ -64,6 +64,8 @@ export interface RunOptions {
   masks?: readonly Source[];
   /** The geoid from which the heights of the coordinate system count: a GeoTIFF of longitudes and latitudes, GTX, or PGM of GeographicLib. */
   geoid?: Source;
+  /** Whether an orthophoto is to place the block afterwards (`BlockOnOrthophoto`): then fewer than three control points, or check points alone, are of use. */
+  onOrthophoto?: boolean;
 }
 
 export interface Surroundings {

@@ -7,6 +7,7 @@ import { DataError, VERDICT_CODES } from './errors.js';
 import { removeUnfinished } from './files.js';
 import { lockFolder } from './lock.js';
 import { note, print, printJson } from './output.js';
+import { listed } from './text.js';
 import { skippedTexts } from './skipped.js';
 import { Written } from './written.js';
 
@@ -53,7 +54,7 @@ export class BlockFolder {
     const { images, remarks } = summary;
     for (const text of skippedTexts(images.left_out.map(({ name, reason }) => ({ name, reason: reason.text })))) note(text);
     for (const name of images.stray_masks) note(`the mask ${name} belongs to none of the images`);
-    for (const name of images.stray_marks) note(`the image measurements name ${name}, which is none of the images`);
+    if (images.stray_marks.length > 0) note(`the image measurements name images that are none of the block: ${listed(images.stray_marks)}`);
     for (const { text } of remarks) note(text);
     if (json) printJson(summary);
     else print(...describe(this.#out, summary));

@@ -93,6 +93,7 @@ async function run(call) {
     ...controlOf(values),
     ...masksOf(values),
     ...geoidOf(values, settings),
+    onOrthophoto: values.has('orthophoto'),
   };
   const truth = values.get('truth');
   const known = typeof truth === 'string' ? truthOf(truth) : null;

@@ -33,6 +33,9 @@ pub struct Interior {
     pub uncertainty: Option<CameraUncertainty>,
 }
 
+/// Distances from the principal point at which a distortion is looked at.
+const STEPS: usize = 256;
+
 impl Interior {
     /// From fiducial marks.
     ///
@@ -68,6 +71,38 @@ impl Interior {
     fn new(camera: &CameraMm, parameters: [[f64; 3]; 2], covariance: Option<[[f64; 3]; 3]>) -> Self {
         let CameraMm { principal_point_mm, radial_distortion, tangential_distortion, uncertainty, .. } = *camera;
         Self { parameters, principal_point_mm, radial_distortion, tangential_distortion, covariance, uncertainty }
+    }
+
+    /// Refuses a distortion that folds an image of this size: that takes a place farther out to one nearer in.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`], naming the distance from the principal point, in mm, up to which it must not.
+    pub fn check_distortion(&self, width: usize, height: usize) -> Result<(), Error> {
+        let reach_mm = self.reach_mm(width, height);
+        let [k1, k2, k3] = self.radial_distortion;
+        let grows = |step: usize| {
+            let r = reach_mm * step as f64 / STEPS as f64;
+            radial_factor([3.0 * k1, 5.0 * k2, 7.0 * k3], r * r) > 0.0
+        };
+        if (1..=STEPS).all(grows) {
+            return Ok(());
+        }
+        Err(refuse("camera.radial_distortion", format!("{:?}", self.radial_distortion), Allowed::Unfolded { reach_mm }))
+    }
+
+    /// How far the corners of an image lie from the principal point, at most.
+    fn reach_mm(&self, width: usize, height: usize) -> f64 {
+        let [[a, b, tx], [d, e, ty]] = self.parameters;
+        let [x0, y0] = self.principal_point_mm;
+        let (width, height) = (width as f64, height as f64);
+        let reach = |[x, y]: [f64; 2]| libm::hypot(a * x + b * y + tx - x0, d * x + e * y + ty - y0);
+        [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]].map(reach).into_iter().fold(0.0, f64::max)
+    }
+
+    /// So many times as far from the principal point as it was measured its distortion takes the farthest corner of an image.
+    pub(crate) fn corner_factor(&self, width: usize, height: usize) -> f64 {
+        let reach_mm = self.reach_mm(width, height);
+        radial_factor(self.radial_distortion, reach_mm * reach_mm)
     }
 
     /// Photo coordinates `[x, y]` in mm of an image position in px: the affine transformation, minus the principal point, times

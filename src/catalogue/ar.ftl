@@ -57,6 +57,7 @@ allowed-two-numbers =
 allowed-above-up-to = أكبر من { $above } وحتى { $max }
 allowed-at-least = { $min } أو أكثر
 allowed-but-zero = من { $min } إلى { $max }، ما عدا 0
+allowed-unfolded = حدود بوحدات مم⁻² ومم⁻⁴ ومم⁻⁶ يزداد بها البعد عن النقطة الرئيسية حتى { FIXED($reach_mm, digits: 2) } مم حيث زوايا الصورة
 allowed-finite =
     { $numbers ->
         [2] عددان منتهيان
@@ -394,6 +395,7 @@ warning-mirrored-marks = تقع العلامات الإطارية معكوسة �
 warning-unknown-camera = لا يكاد البعد البؤري يُعرف، وقد قُدّر من المطابقات، وقد لا تصح المجالات: أعط الكاميرا.
 warning-contradicted-focal = البعد البؤري المعطى { FIXED($given_px, digits: 0) } بكسل، لكن ملف الصورة { $side } يذكر { FIXED($file_px, digits: 0) } بكسل: هل الكاميرا لصور من قياس آخر أو عدسة أخرى أو تقريب آخر؟
 warning-doubtful-focal = البعد البؤري للصورة { $side } يساوي { SIGNIFICANT($sides, digits: 2) } من الضلع الأطول للصورة، والمعتاد من { $least } إلى { $most }: تحقق من البعد البؤري ومن قياس البكسل.
+warning-doubtful-distortion = تنقل تشوهات الصورة { $side } زاويةً من صورتها إلى { SIGNIFICANT($factor, digits: 2) } من بعدها عن النقطة الرئيسية، والمعتاد من { $least } إلى { $most }: تحقق من الحدود، ووحداتها مم⁻² ومم⁻⁴ ومم⁻⁶.
 warning-resized-or-cropped = في ملف الصورة { $side } بكسلات أقل مما تذكره بيانات EXIF فيه ({ $width_px } × { $height_px } لا { $taken_width_px } × { $taken_height_px }): هل غُيّر حجمها أم قُصّت؟ لا تكاد كاميرتها تُعرف، وقد لا تصح المجالات: أعط الكاميرا.
 warning-cropped = قُصّت الصورة { $side }: في ملفها { $width_px } × { $height_px } بكسل، وتذكر بيانات EXIF فيه { $taken_width_px } × { $taken_height_px }. لا تكاد كاميرتها تُعرف، وقد لا تصح المجالات: أعط الكاميرا.
 warning-other-pixels = غُيّر حجم الصورة { $side } أو قُصّت: تعطي بيانات EXIF فيها بكسلات قدرها { SIGNIFICANT($pixel_um, digits: 2) } ميكرومتر، ويعطي مستشعرها أو مكافئه 35 مم { SIGNIFICANT($expected_um, digits: 2) } ميكرومتر. لا تكاد كاميرتها تُعرف، وقد لا تصح المجالات: أعط الكاميرا.
@@ -592,9 +594,28 @@ block-warning-control-unadjusted =
         }
     } لبُعدها عن موضعها وفق سائر النقاط: لا تدخل في التعديل، وعُدّلت الكتلة دون إسناد جغرافي. تحقق من الإحداثيات والقياسات الصورية.
 block-warning-control-lost =
-    لا تشارك { $lost } من نقاط الضبط الأرضي المقيسة، وعددها { $points }، إذ لا تلتقي قياساتها الصورية: { $from_bottom ->
+    لا تشارك { $lost } من نقاط الضبط الأرضي المقيسة، وعددها { $points }، أو تشارك بقياس صوري واحد، إذ لا تتوافق قياساتها الصورية: { $from_bottom ->
         [true] تلتقي لو عُدّت الصفوف من أسفل الصور. هنا y صفر في الأعلى: استعمل ارتفاع الصورة ناقص y.
        *[other] تحقق من الصور والنقاط التي تسميها، ومن أنها ببكسلات هذه الصور، وأن x إلى اليمين وy من الأعلى إلى الأسفل.
+    }
+block-warning-checks-apart =
+    { $points ->
+        [one] تختلف نقطة التحقق
+       *[other] تختلف نقاط التحقق كلها، وعددها { $points }،
+    } عن الكتلة في { $axis } بمقدار { FIXED($difference_m, digits: 2) } ± { FIXED($error_m, digits: 2) } م (المضبوط ناقص المقيس): { $axis ->
+        [z] هل تُحسب ارتفاعاتها من صفر آخر، كالمجسم الإهليلجي أو مستوى سطح البحر، أو من موضع آخر من العلامات؟
+       *[other] هل هي في نظام إحداثيات مرجعي آخر؟
+    }
+block-warning-control-elsewhere =
+    لا يقع أي قياس صوري { $check ->
+        [true] لنقاط التحقق
+       *[false] لنقاط الضبط الأرضي
+    }، وعددها { $points }، في صورة من الكتلة. { $images_count ->
+        [0] لا يسمي جدول القياسات أيًا من النقاط.
+       *[other] يسمي جدول القياسات { $images }{ $images_more ->
+            [0] {""}
+           *[other] {" "}و{ $images_more } أخرى
+        }: سمِّ الصور فيه بأسماء ملفاتها.
     }
 block-warning-control-without-place = لا تضع نقاط الضبط الأرضي، وعددها { $given }، الكتلة: قيس منها في صورتين من صورها أو أكثر { $measured }، وتلتقي قياسات { $taken }. المطلوب ثلاث، أو مواضع GNSS معها.
 block-warning-control-shape =
@@ -658,7 +679,7 @@ block-warning-measurements-rejected =
 block-warning-focal-estimated = البعد البؤري لـ{ $camera } غير معروف؛ قُدّر بخطأ معياري ± { FIXED($error_px, digits: 1) } بكسل.
 block-warning-focal-undetermined = البعد البؤري لـ{ $camera } غير معروف، ولا تحدده الكتلة: مقياس الارتفاعات خاطئ.
 block-warning-focal-of-ground = تجعل الصور وحدها البعد البؤري لـ{ $camera } { FIXED($images_px, digits: 1) } ± { FIXED($images_error_px, digits: 1) } بكسل، وتجعله مواضع الصورة المصححة { FIXED($ground_px, digits: 1) } ± { FIXED($ground_error_px, digits: 1) } بكسل، والفرق أكبر مما تفسره الصدفة: قد تكون ارتفاعات الصور خاطئة بهذا القدر. أعطِ كاميرا معايرة، أو افحص الصورة المصححة وارتفاعاتها.
-block-warning-parameter-fixed = لا تحدد الكتلة { $camera_parameter } لـ{ $camera }؛ فبقي كما كان.
+block-warning-parameter-fixed = لا تحدد الكتلة { $camera_parameter } لـ{ $camera }؛ فبقيت قيمته التقريبية.
 block-warning-few-observations =
     { $images_count ->
         [one] لصورة واحدة
@@ -1026,6 +1047,7 @@ refusal-no-intersection = أرصاد نقطة: أُعطي { $rays } من أرص�
 
 # Edits.
 refusal-no-observation = صورة رصدة: أُعطيت { $location }، وليس فيها رصدة لـ{ $point_name }؛ المسموح: صور تُظهر النقطة
+refusal-replaced-point = نقطة تُستعاد: أُعطيت { $point_name }، ومنها صُنعت { $other } ولها أرصادها؛ المسموح: التراجع عن الخطوة التي صنعت { $other }، أو رفضها أولًا
 refusal-rejected-point = نقطة مقيسة: أُعطيت { $point_name }، وهي لا تشارك؛ المسموح: نقاط مشاركة: استعدها أولًا
 refusal-new-point-images = صور نقطة جديدة: أُعطي { $images } لعدد { $observations } من الأرصاد؛ المسموح: صورتان أو أكثر، كل منها مرة واحدة
 refusal-measured-place = موضع مقيس: أُعطي ({ $x_px }, { $y_px }) في { $location }، خارج الصورة؛ المسموح: مواضع ضمن { $width_px } × { $height_px } بكسل
@@ -1144,7 +1166,7 @@ refusal-few-control-points =
     }، أو { $checks ->
         [true] لا نقاط ضبط ولا نقاط تحقق
        *[false] لا شيء منها
-    }؛ وأي عدد مع مواضع GNSS لثلاث صور أو أكثر في نظام الإحداثيات نفسه (--crs) إن عُرف صفر الارتفاعات (--geoid، --geoid-m)
+    }؛ وأي عدد مع مواضع GNSS لثلاث صور أو أكثر في نظام الإحداثيات نفسه (--crs) إن عُرف صفر الارتفاعات (--geoid، --geoid-m)، أو مع صورة مصححة (--orthophoto)
 refusal-job-inputs = مدخلات مهمة: أُعطي { $inputs }؛ المسموح: المدخلات التي تسميها
 refusal-mask-of-image = قناعها: أُعطي { $name } ذو { $width } × { $height } بكسل؛ المسموح: أبعاد الصورة { $image_width } × { $image_height } بكسل
 refusal-file-name-again = صور الكتلة: أُعطيت صورتان بالاسم { $name }؛ المسموح: كل اسم مرة واحدة

@@ -62,6 +62,7 @@ allowed-two-numbers =
 allowed-above-up-to = above { $above }, up to { $max }
 allowed-at-least = { $min } or more
 allowed-but-zero = { $min } to { $max }, but not 0
+allowed-unfolded = terms in mm⁻², mm⁻⁴ and mm⁻⁶ by which the distance from the principal point grows up to { FIXED($reach_mm, digits: 2) } mm, where the corners of the image are
 allowed-finite =
     { $numbers ->
         [2] two finite numbers
@@ -349,6 +350,7 @@ refusal-covariance-point = covariances: got point { $point } of the adjustment (
 
 # Edits.
 refusal-no-observation = image of an observation: got { $location }, which has none of { $point_name }; allowed: images that show the point
+refusal-replaced-point = point to restore: got { $point_name }, of which { $other } was made and has observations; allowed: undo the step that made { $other }, or reject that first
 refusal-rejected-point = measured point: got { $point_name }, which takes no part; allowed: points that take part: restore it first
 refusal-new-point-images = images of a new point: got { $images } of { $observations } observations; allowed: two or more, each once
 refusal-measured-place = measured place: got ({ $x_px }, { $y_px }) in { $location }, outside the image; allowed: places within its { $width_px } x { $height_px } px
@@ -459,7 +461,7 @@ refusal-few-control-points =
     }, or { $checks ->
         [true] neither ground control points nor check points
        *[false] none at all
-    }; any number beside GNSS positions of three images or more in the same coordinate system (--crs), where heights count from a known zero (--geoid, --geoid-m)
+    }; any number beside GNSS positions of three images or more in the same coordinate system (--crs), where heights count from a known zero (--geoid, --geoid-m), or beside an orthophoto (--orthophoto)
 refusal-job-inputs = inputs of a job: got { $inputs }; allowed: those that it names
 refusal-mask-of-image = its mask: got { $name } with { $width } x { $height } px; allowed: the image's { $image_width } x { $image_height } px
 refusal-file-name-again = images of the block: got two with the name { $name }; allowed: each name once
@@ -824,6 +826,7 @@ warning-mirrored-marks = The fiducial marks lie mirrored in the { $side } image:
 warning-unknown-camera = The focal length is hardly known and was estimated from the matches; the intervals may not hold: give the camera.
 warning-contradicted-focal = The given focal length is { FIXED($given_px, digits: 0) } px, but the file of the { $side } image says { FIXED($file_px, digits: 0) } px: is the camera that of another photo size, lens or zoom?
 warning-doubtful-focal = The focal length of the { $side } photo is { SIGNIFICANT($sides, digits: 2) } times the longer side of its image, where { $least } to { $most } times are usual: check the focal length and the pixel size.
+warning-doubtful-distortion = The distortion of the { $side } photo takes a corner of its image to { SIGNIFICANT($factor, digits: 2) } times its distance from the principal point, where { $least } to { $most } times are usual: check the terms, which are in mm⁻², mm⁻⁴ and mm⁻⁶.
 warning-resized-or-cropped = The file of the { $side } image has fewer pixels than its EXIF data says ({ $width_px } x { $height_px }, not { $taken_width_px } x { $taken_height_px }): resized or cropped? Its camera is hardly known, and the intervals may not hold: give the camera.
 warning-cropped = The { $side } image was cropped: its file has { $width_px } x { $height_px } px, its EXIF data says { $taken_width_px } x { $taken_height_px }. Its camera is hardly known, and the intervals may not hold: give the camera.
 warning-other-pixels = The { $side } image was resized or cropped: its EXIF data gives pixels of { SIGNIFICANT($pixel_um, digits: 2) } µm, where its sensor or its 35 mm equivalent gives { SIGNIFICANT($expected_um, digits: 2) } µm. Its camera is hardly known, and the intervals may not hold: give the camera.
@@ -1014,9 +1017,37 @@ block-warning-control-unadjusted =
         } They take
     } no part, and the block is adjusted without being georeferenced. Check coordinates and image measurements.
 block-warning-control-lost =
-    { $lost } of { $points } measured GCPs take no part, since their image measurements do not meet: { $from_bottom ->
+    { $lost } of { $points } measured GCPs { $lost ->
+        [one] takes no part, or by one image measurement alone, since its image measurements do not fit
+       *[other] take no part, or by one image measurement alone, since their image measurements do not fit
+    }: { $from_bottom ->
         [true] they would with rows counted from the bottom of the images. Here y is 0 at the top: use the height of the image minus y.
        *[other] check which images and points they name, and that they are in px of these images, x to the right, y from the top down.
+    }
+block-warning-checks-apart =
+    { $points ->
+        [one] The check point differs
+       *[other] The { $points } check points all differ
+    } from the block in { $axis }, by { FIXED($difference_m, digits: 2) } ± { FIXED($error_m, digits: 2) } m (adjusted minus surveyed): { $axis ->
+        [z] do their heights count from another zero, such as the ellipsoid or sea level, or from another point of the marks?
+       *[other] are they in another coordinate reference system?
+    }
+block-warning-control-elsewhere =
+    No image measurement of the { $points ->
+        [one] { $check ->
+            [true] check point
+           *[false] GCP
+        }
+       *[other] { $points } { $check ->
+            [true] check points
+           *[false] GCPs
+        }
+    } is in an image of the block. { $images_count ->
+        [0] The table of measurements names none of the points.
+       *[other] The table of measurements names { $images }{ $images_more ->
+            [0] {""}
+           *[other] {" "}and { $images_more } more
+        }: give images in it the names of their files.
     }
 block-warning-control-without-place =
     { $given ->
@@ -1083,7 +1114,7 @@ block-warning-measurements-rejected =
 block-warning-focal-estimated = The focal length of { $camera } is not known; it is estimated with a standard error of ± { FIXED($error_px, digits: 1) } px.
 block-warning-focal-undetermined = The focal length of { $camera } is not known, and the block does not determine it: the scale of the heights is wrong.
 block-warning-focal-of-ground = The images by themselves make the focal length of { $camera } { FIXED($images_px, digits: 1) } ± { FIXED($images_error_px, digits: 1) } px, the places of the orthophoto { FIXED($ground_px, digits: 1) } ± { FIXED($ground_error_px, digits: 1) } px, further apart than chance has them: heights of the images may be as wrong. Give a calibrated camera, or check the orthophoto and its heights.
-block-warning-parameter-fixed = The block does not determine { $camera_parameter } of { $camera }; it stays as it was.
+block-warning-parameter-fixed = The block does not determine { $camera_parameter } of { $camera }; it keeps its approximate value.
 block-warning-few-observations =
     { $images_count ->
         [one] 1 image has

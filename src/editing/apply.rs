@@ -148,11 +148,7 @@ impl<'a> Edited<'a> {
                 self.rejected_points.insert(*point);
                 Ok(())
             }),
-            BlockEdit::RestorePoints { points } => points.iter().try_for_each(|point| {
-                self.known(*point)?;
-                self.rejected_points.remove(point);
-                Ok(())
-            }),
+            BlockEdit::RestorePoints { points } => points.iter().try_for_each(|point| self.restore(*point)),
             BlockEdit::RejectImages { images } => images.iter().try_for_each(|image| {
                 self.oriented(*image)?;
                 self.rejected_images.insert(*image);
@@ -179,6 +175,24 @@ impl<'a> Edited<'a> {
             }
             BlockEdit::SetUse { point, role } => self.set_use(*point, *role),
         }
+    }
+
+    /// Takes a point in again, unless a point that was added has its observations: they would count twice.
+    fn restore(&mut self, point: PointSource) -> Result<(), Error> {
+        let own = &self.points[self.known(point)?];
+        let is_of_own = |ray: &ObservedRay| own.rays.iter().any(|seen| (seen.image, seen.at_px) == (ray.image, ray.at_px));
+        let takes_its_place = |other: &&ObservedPoint| {
+            let is_added = matches!(other.source, PointSource::Manual(_)) && other.source != point;
+            is_added && !self.rejected_points.contains(&other.source) && other.rays.iter().any(is_of_own)
+        };
+        // Of a point that takes part nothing changes.
+        if self.rejected_points.contains(&point)
+            && let Some(other) = self.points.iter().find(takes_its_place)
+        {
+            return refuse(Refusal::ReplacedPoint { point_name: self.label(point), other: self.label(other.source) });
+        }
+        self.rejected_points.remove(&point);
+        Ok(())
     }
 
     fn set_part(&mut self, observations: &[PointImage], part: RayPart) -> Result<(), Error> {
@@ -429,6 +443,26 @@ mod tests {
         let off = |point| BlockEdit::SetUse { point, role: None };
         let floating = edited(&known, &[off(0), BlockEdit::SetUse { point: 1, role: Some(ControlRole::Check) }]);
         assert!(!floating.in_system && floating.surveyed.is_empty());
+    }
+
+    #[test]
+    fn a_point_that_was_split_does_not_count_beside_its_parts() {
+        let known = surveyed(5);
+        let observed = known.1.observed_points();
+        let point = observed.iter().find(|point| point.rays.len() >= 4 && matches!(point.source, PointSource::TiePoint(_))).unwrap();
+        let hand =
+            |ray: &ObservedRay| HandMeasurement { image: ray.image, x_px: ray.at_px[0], y_px: ray.at_px[1], by: MeasuredBy::LeastSquares };
+        let added = |rays: &[ObservedRay]| BlockEdit::AddPoint { observations: rays.iter().map(hand).collect() };
+        let points = vec![point.source];
+        let split = vec![BlockEdit::RejectPoints { points: points.clone() }, added(&point.rays[..2]), added(&point.rays[2..])];
+        let restored = BlockEdit::RestorePoints { points: points.clone() };
+        let told = tried(&known, &[], &[split.clone(), vec![restored.clone()]].concat()).unwrap_err().to_string();
+        assert!(told.starts_with("point to restore: got ") && told.contains("of which"), "{told}");
+        // Without its parts it comes back, and as one that takes part it stays.
+        let parts = [0, 1].map(PointSource::Manual).to_vec();
+        let back = [split, vec![BlockEdit::RejectPoints { points: parts }, restored.clone()]].concat();
+        assert_eq!(edited(&known, &back).points.len(), known.1.points.len());
+        edited(&known, &[added(&point.rays[..2]), restored]);
     }
 
     #[test]

@@ -23,6 +23,8 @@ messages! {
         AboveUpTo { above: f64, max: f64 },
         AtLeast { min: f64 },
         ButZero { min: f64, max: f64 },
+        /// Terms of a radial distortion that takes no place farther out to one nearer in, up to so many mm from the principal point.
+        Unfolded { reach_mm: f64 },
         /// So many numbers that are finite.
         Finite { numbers: usize },
         // Beside other options.

@@ -230,7 +230,10 @@ fn messages_within_messages_have_their_texts() {
     );
     let camera = NamedCamera { only: false, number: 2, first: Some("0005.jpg".into()), more: 4 };
     let fixed = BlockWarning::ParameterFixed { camera, camera_parameter: CameraParameter::K3 };
-    assert_eq!(fixed.to_string(), "The block does not determine k3 of camera 2 (0005.jpg and 4 more images); it stays as it was.");
+    assert_eq!(
+        fixed.to_string(),
+        "The block does not determine k3 of camera 2 (0005.jpg and 4 more images); it keeps its approximate value."
+    );
 }
 
 #[test]

@@ -152,6 +152,9 @@ messages! {
         ContradictedFocal { side: Side, given_px: f64, file_px: f64 },
         /// The focal length of a photo is hardly one of its camera: in longer sides of the image, of which `least` to `most` are usual.
         DoubtfulFocal { side: Side, sides: f64, least: f64, most: f64 },
+        /// The distortion of a photo takes the farthest corner of its image to `factor` times its distance from the principal point, where `least` to
+        /// `most` are usual.
+        DoubtfulDistortion { side: Side, factor: f64, least: f64, most: f64 },
         /// The file of a photo has fewer pixels than its EXIF says: whether it was resized or cropped is not known.
         ResizedOrCropped { side: Side, taken_width_px: u32, taken_height_px: u32, width_px: u32, height_px: u32 },
         /// The file of a photo has another format than its EXIF says: it was cropped, and nobody knows where its principal point lies.
@@ -197,6 +200,7 @@ impl Warning {
             | Self::UnknownCamera
             | Self::ContradictedFocal { .. }
             | Self::DoubtfulFocal { .. }
+            | Self::DoubtfulDistortion { .. }
             | Self::ResizedOrCropped { .. }
             | Self::Cropped { .. }
             | Self::OtherPixels { .. }

@@ -15,6 +15,9 @@ pub struct PlacingCamera {
     pub camera: Camera,
     /// All zero: it is calibrated, and nothing of it is estimated.
     pub uncertainty: CameraUncertainty,
+    /// Standard deviation of its decentring terms p1 and p2, where they are known by themselves, as of a camera that was estimated; absent: as the
+    /// uncertainty has it.
+    pub decentring: Option<f64>,
 }
 
 /// Standard errors of the places of links, in m.
@@ -43,7 +46,10 @@ impl PlacingCamera {
     pub(super) fn prior(&self) -> CameraPrior {
         let uncertainty = self.uncertainty.without_traces();
         let mut prior = CameraPrior::of(0, &self.camera, uncertainty);
-        let [.., k1, k2, _, _, _] = &mut prior.sigma;
+        let [.., k1, k2, _, p1, p2] = &mut prior.sigma;
+        if let Some(decentring) = self.decentring {
+            (*p1, *p2) = (Some(decentring), Some(decentring));
+        }
         // Lenses whose k₁ is unknown differ as much in k₂. Of one that states k₂ both are known together, as well as k₁ alone.
         *k2 = k1.filter(|_| self.camera.radial[1] == 0.0);
         prior
@@ -106,7 +112,7 @@ mod tests {
     fn what_a_camera_states_of_its_lens_is_known_better_than_what_it_does_not() {
         let of = |radial, tangential, uncertainty| {
             let camera = Camera { radial, tangential, ..Camera::without_distortion(1000, 750, 900.0) };
-            let known = PlacingCamera { camera, uncertainty };
+            let known = PlacingCamera { camera, uncertainty, decentring: None };
             let [.., k1, k2, k3, p1, p2] = known.prior().sigma;
             ([k1, k2, k3, p1, p2], known.free())
         };

@@ -181,7 +181,7 @@ mod tests {
     }
 
     fn known() -> PlacingCamera {
-        PlacingCamera { camera: Camera::without_distortion(800, 600, 700.0), uncertainty: CameraUncertainty::NONE }
+        PlacingCamera { camera: Camera::without_distortion(800, 600, 700.0), uncertainty: CameraUncertainty::NONE, decentring: None }
     }
 
     fn pose() -> Pose {

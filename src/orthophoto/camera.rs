@@ -12,13 +12,13 @@ impl PlacingCamera {
         let uncertainty = known.to_be_calibrated().known_within();
         let assumed = CameraUncertainty::ASSUMED_FOCAL * f64::from(size[0].max(size[1]));
         let with_focal = KnownCamera { focal_px: known.focal_px.or(Some(assumed)), ..known.to_be_calibrated() };
-        Self { camera: with_focal.held(), uncertainty }
+        Self { camera: with_focal.held(), uncertainty, decentring: None }
     }
 
     /// That of an image of a block as it was known before the block; `None` where nobody knew its focal length.
     pub(super) fn before_block(run: &BlockRun, image: usize) -> Option<Self> {
         let initial = run.cameras.get(run.model.images.get(image)?.camera)?;
-        Some(Self { camera: initial.known()?, uncertainty: initial.to_be_calibrated().known_within() })
+        Some(Self { camera: initial.known()?, uncertainty: initial.to_be_calibrated().known_within(), decentring: None })
     }
 
     /// That of an image of a block as the block adjusted it, with its standard errors; `None` where the image is not oriented.
@@ -37,7 +37,8 @@ impl PlacingCamera {
             principal_point: share(across.map(|error| error / camera.focal_px), most.principal_point),
             k1: share(errors[3], most.k1),
         };
-        Some(Self { camera, uncertainty })
+        let decentring = errors[6].zip(errors[7]).map(|(p1, p2)| p1.max(p2).min(most.decentring()));
+        Some(Self { camera, uncertainty, decentring })
     }
 }
 
@@ -55,7 +56,7 @@ mod tests {
         let camera = ExifCamera { focal_mm: 5.0, pixel_mm: Some(0.005), ..ExifCamera::default() };
         let exif = ExifImage { camera: Some(camera), ..ExifImage::default() };
         let of = |name: &str, exif: &ExifImage| {
-            let PlacingCamera { camera, uncertainty } = PlacingCamera::of(&rules, name, [1000, 800], exif);
+            let PlacingCamera { camera, uncertainty, .. } = PlacingCamera::of(&rules, name, [1000, 800], exif);
             (camera.focal_px, uncertainty.focal)
         };
         assert_eq!([of("a1", &exif), of("b1", &exif), of("c1", &exif)], [(900.0, 0.0), (950.0, 0.05), (1000.0, 0.05)]);

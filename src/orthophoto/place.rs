@@ -199,7 +199,7 @@ mod tests {
     }
 
     fn placed(scene: &BlockScene, reference: &Orthophoto, options: &PlacingOptions) -> Result<PlacedImage, Error> {
-        let known = PlacingCamera { camera: scene.truth().cameras[0], uncertainty: CameraUncertainty::NONE };
+        let known = PlacingCamera { camera: scene.truth().cameras[0], uncertainty: CameraUncertainty::NONE, decentring: None };
         place_image(scene.photo(0)?.view(), &known, reference, &SearchArea::new(reference, options)?, options)
     }
 
@@ -237,7 +237,11 @@ mod tests {
         let area = SearchArea::new(&reference, &options()).unwrap();
         let blank = GreyImage::from_fn(300, 200, |_, _| 128).unwrap();
         let noise = GreyImage::from_fn(300, 200, |c, r| ((c * 7919 + r * 104_729) % 251) as u8).unwrap();
-        let known = PlacingCamera { camera: Camera::without_distortion(300, 200, 300.0), uncertainty: CameraUncertainty::ASSUMED };
+        let known = PlacingCamera {
+            camera: Camera::without_distortion(300, 200, 300.0),
+            uncertainty: CameraUncertainty::ASSUMED,
+            decentring: None,
+        };
         for image in [&blank, &noise] {
             let found = place_image(image.view(), &known, &reference, &area, &options()).unwrap();
             assert!(matches!(found.verdict, PlacingVerdict::NotPlaced { .. }) && found.placement.is_none(), "{}", found.verdict);

@@ -64,7 +64,7 @@ pub fn place_film_by_links(
 }
 
 fn camera_of(scan: &FilmScan) -> PlacingCamera {
-    PlacingCamera { camera: scan.camera(), uncertainty: scan.uncertainty() }
+    PlacingCamera { camera: scan.camera(), uncertainty: scan.uncertainty(), decentring: scan.decentring() }
 }
 
 /// With positions and residuals in px of the scan. `given`: the links that the placement has, in their order, where they were given.
@@ -206,7 +206,7 @@ mod tests {
         let [width_px, height_px] = SCAN_PX.map(|side| side as u32);
         let focal_px = scene.truth().cameras[0].focal_px;
         let camera = Camera::without_distortion(width_px, height_px, focal_px);
-        let known = PlacingCamera { camera, uncertainty: CameraUncertainty::NONE };
+        let known = PlacingCamera { camera, uncertainty: CameraUncertainty::NONE, decentring: None };
         let without = place_image(scan.view(), &known, reference, area, &options()).unwrap().placement.unwrap();
         let without_marks = errors(scene, &without);
         println!("without: {without_marks:.3?}, checks {:?}", without.checks);

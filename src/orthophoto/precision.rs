@@ -213,7 +213,7 @@ mod tests {
                 links.push(Found { at, place: [x, y, z], height_spread: 0.0, measured_px: 0.3 });
             }
         }
-        let known = PlacingCamera { camera: nominal, uncertainty };
+        let known = PlacingCamera { camera: nominal, uncertainty, decentring: None };
         let errors = PlaceErrors::new(&PlacingOptions::default(), 0.5, true);
         let result = adjusted(&links, &known, (nominal, POSE), errors).unwrap();
         let total = total_errors(&result, &known);

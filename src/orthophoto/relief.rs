@@ -145,7 +145,7 @@ mod tests {
     }
 
     fn estimated(links: &[Found], uncertainty: CameraUncertainty) -> Option<HeightFactor> {
-        let known = PlacingCamera { camera: camera(), uncertainty };
+        let known = PlacingCamera { camera: camera(), uncertainty, decentring: None };
         let errors = PlaceErrors::new(&PlacingOptions::default(), 0.5, true);
         height_factor(&adjusted(links, &known, (camera(), POSE), errors).unwrap(), &known)
     }

@@ -146,7 +146,9 @@ mod tests {
     #[test]
     fn a_camera_that_contradicts_what_was_known_of_it_is_doubted_with_figures() {
         let camera = Camera::without_distortion(800, 600, 1000.0);
-        let of = |estimated: Camera, uncertainty: CameraUncertainty| verdict(&placement(estimated), &PlacingCamera { camera, uncertainty });
+        let of = |estimated: Camera, uncertainty: CameraUncertainty| {
+            verdict(&placement(estimated), &PlacingCamera { camera, uncertainty, decentring: None })
+        };
         let longer = Camera { focal_px: 1120.0, ..camera };
         let PlacingVerdict::Weak { placing_weakness, .. } = of(longer, CameraUncertainty::EXIF) else { panic!("not doubted") };
         let PlacingWeakness::Camera { camera_parameter, estimated_px, prior_px, apart } = placing_weakness else {

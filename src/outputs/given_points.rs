@@ -3,7 +3,8 @@
 use super::precision::written;
 use crate::pipeline::is_place_of_orthophoto;
 use crate::{
-    BlockEdit, BlockRun, ControlRole, GroundControlRow, PointSource, SurveyedPoint, parse_ground_control_points, parse_image_measurements,
+    BlockEdit, BlockRun, ControlRole, GroundControlRow, PointSource, SurveyedPoint, measurements_of_images, parse_ground_control_points,
+    parse_image_measurements,
 };
 use std::collections::BTreeSet;
 
@@ -62,7 +63,10 @@ pub(super) fn absent_points(run: &BlockRun, surveyed: &[SurveyedPoint]) -> Vec<A
     let texts = run.input.control.as_ref();
     let mut rows = texts.map(|texts| parse_ground_control_points(&texts.points).unwrap_or_default()).unwrap_or_default();
     let marks = texts.map(|texts| parse_image_measurements(&texts.marks).unwrap_or_default()).unwrap_or_default();
-    let mut measured: BTreeSet<String> = marks.into_iter().map(|mark| mark.point).collect();
+    let images: Vec<String> = run.images.iter().map(|image| image.name.clone()).collect();
+    // Measurements in images that are none of the block measure nothing.
+    let own = measurements_of_images(marks, &images).into_iter().filter(|mark| images.contains(&mark.image));
+    let mut measured: BTreeSet<String> = own.map(|mark| mark.point).collect();
     let given = given_control(run);
     let added: Vec<GroundControlRow> = run.added_control().collect();
     let by_hand = run.edits().iter().filter_map(|edit| match edit {

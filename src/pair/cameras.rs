@@ -2,7 +2,7 @@
 
 use super::no_orientation::NoOrientation;
 use crate::camera::{USUAL_FOCAL, contradict};
-use crate::{CameraCaution, CameraMm, Error, ExifCamera, Side, Warning};
+use crate::{CameraCaution, CameraMm, Error, ExifCamera, Interior, Side, Warning};
 use serde::Serialize;
 
 /// What of a photo tells its camera.
@@ -96,7 +96,19 @@ fn camera_of(
     };
     let file_px = photo.exif.filter(|exif| given.is_some() && !exif.is_panorama()).and_then(|exif| Some(exif.focal_mm / exif.pixel_mm?));
     let part = of_file.and_then(|exif| doubt_of_part(side, exif));
-    Ok(Ok((camera, part.or_else(|| doubt_of(side, camera.focal_mm / pixel_mm, file_px, photo.longer_px())))))
+    let doubt =
+        || doubt_of(side, camera.focal_mm / pixel_mm, file_px, photo.longer_px()).or_else(|| doubt_of_lens(side, &camera, photo.size));
+    Ok(Ok((camera, part.or_else(doubt))))
+}
+
+/// Of lenses of usual cameras: so many times as far from the principal point the correction takes a corner of the image.
+const USUAL_AT_CORNER: [f64; 2] = [0.5, 2.0];
+
+/// What speaks against the distortion of a photo, as terms in other units do.
+fn doubt_of_lens(side: Side, camera: &CameraMm, (width, height): (usize, usize)) -> Option<Warning> {
+    let factor = Interior::from_pixel_size(camera, width, height).ok()?.corner_factor(width, height);
+    let [least, most] = USUAL_AT_CORNER;
+    (!(least..=most).contains(&factor)).then_some(Warning::DoubtfulDistortion { side, factor, least, most })
 }
 
 /// What speaks against the camera of a photo whose file says that its image may be a part of it.
@@ -156,5 +168,28 @@ mod tests {
         let doubtful = |sides| Some(Warning::DoubtfulFocal { side: Side::Left, sides, least: 0.3, most: 20.0 });
         assert_eq!((doubt(160.0, None, false), doubt(16_000.0, None, false)), (doubtful(0.25), doubtful(25.0)));
         assert_eq!((doubt(256.0, None, false), doubt(6400.0, None, false)), (None, None));
+    }
+
+    #[test]
+    fn a_distortion_in_other_units_is_doubted_or_refused() {
+        use crate::{PhotoInput, photo_interior};
+        // The corners are 4 mm from the principal point.
+        let of = |radial_distortion| CameraMm { radial_distortion, ..CameraMm::without_distortion(6.0, Some(0.01)) };
+        let photo = KnownPhoto { size: (640, 480), exif: None, has_marks: false };
+        let doubt = |camera: &CameraMm| PairCameras::of(Some(camera), [photo; 2]).unwrap().unwrap().doubt;
+        let refused = |camera: &CameraMm| photo_interior(camera, 640, 480, &PhotoInput::default()).err().map(|error| error.to_string());
+        for usual in [[0.0; 3], [-0.015, 0.0, 0.0], [0.03, 0.0, 0.0], [-0.02, 0.001, 0.0]] {
+            assert_eq!((doubt(&of(usual)), refused(&of(usual))), (None, None), "{usual:?}");
+        }
+        let far = doubt(&of([0.1, 0.0, 0.0]));
+        assert!(
+            matches!(far, Some(Warning::DoubtfulDistortion { side: Side::Left, factor, .. }) if (factor - 2.6).abs() < 1e-12),
+            "{far:?}"
+        );
+        // 3 k1 r² = -1 within the image, or in the middle alone.
+        for folds in [[-0.05, 0.0, 0.0], [-0.4, 0.05, 0.0]] {
+            let told = refused(&of(folds)).unwrap();
+            assert!(told.starts_with("camera.radial_distortion is [") && told.contains("mm⁻²") && told.contains("4.00 mm"), "{told}");
+        }
     }
 }

@@ -141,16 +141,18 @@ pub fn photo_marks(width: usize, height: usize, photo: &PhotoInput) -> Result<Fi
 /// The interior orientation of one image: from its fiducials, or from the camera's pixel size.
 ///
 /// # Errors
-/// [`Error::InvalidOption`] for the camera; as [`photo_marks`]; [`Error::InvalidInput`] for an origin without fiducials.
+/// [`Error::InvalidOption`] for the camera, also where its distortion folds the image; as [`photo_marks`]; [`Error::InvalidInput`] for an origin without
+/// fiducials.
 pub fn photo_interior(camera: &CameraMm, width: usize, height: usize, photo: &PhotoInput) -> Result<Interior, Error> {
-    if !photo.fiducials.is_empty() {
-        let marks = photo_marks(width, height, photo)?;
-        return Interior::from_fiducials(camera, &marks, photo.origin.unwrap_or([0.0; 2]));
-    }
-    match photo.origin {
-        Some(origin) => refuse(Refusal::LoneOrigin { origin: format!("{origin:?}") }),
-        None => Interior::from_pixel_size(camera, width, height),
-    }
+    let interior = match photo.origin {
+        _ if !photo.fiducials.is_empty() => {
+            let marks = photo_marks(width, height, photo)?;
+            Interior::from_fiducials(camera, &marks, photo.origin.unwrap_or([0.0; 2]))?
+        }
+        Some(origin) => return refuse(Refusal::LoneOrigin { origin: format!("{origin:?}") }),
+        None => Interior::from_pixel_size(camera, width, height)?,
+    };
+    interior.check_distortion(width, height).map(|()| interior)
 }
 
 #[cfg(test)]

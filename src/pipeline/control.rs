@@ -41,14 +41,15 @@ impl ControlTables {
 
     /// Refuses, before the images are read, what a run of images with these names would refuse. Before there is a block, the images that the
     /// measurements name stand for its own. Whether GNSS positions make up for control points in their coordinate system only the run knows.
+    /// `on_orthophoto`: one places the block afterwards.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] for a measurement of an unknown point, where fewer than three points are measured in two images or more, and for points
     /// outside their coordinate system; as [`BlockDescription::check`].
-    pub fn check(&self, images: &[String], placing: &GeoreferencingOptions) -> Result<(), Error> {
+    pub fn check(&self, images: &[String], placing: &GeoreferencingOptions, on_orthophoto: bool) -> Result<(), Error> {
         let named: BTreeSet<&String> = self.marks.iter().map(|mark| &mark.image).collect();
         let named: Vec<String> = if images.len() < 2 { named.into_iter().cloned().collect() } else { images.to_vec() };
-        let least = if placing.crs.is_some() { 0 } else { LEAST_CONTROL };
+        let least = if placing.crs.is_some() || on_orthophoto { 0 } else { LEAST_CONTROL };
         let joined = self.join(&named, placing, &HeightZero::Unknown, least);
         let (control, _) = joined.map_err(|error| with_unit(error, placing, &self.plane(), &[]))?;
         // How large an image is, and with it whether a measurement is outside it, only the run knows, which names the size.
@@ -233,7 +234,8 @@ mod tests {
         assert!(joined.iter().all(|point| point.measurements.iter().map(|seen| seen.image).eq([0, 1])), "{joined:?}");
         // Two names of one image.
         let twice = format!("{marks}img_1.jpg,a,9,9\n");
-        let told = ControlTables::read(POINTS, &twice).unwrap().check(&images, &GeoreferencingOptions::default()).unwrap_err().to_string();
+        let told =
+            ControlTables::read(POINTS, &twice).unwrap().check(&images, &GeoreferencingOptions::default(), false).unwrap_err().to_string();
         assert!(told.contains("got two for a in img_1.jpg"), "{told}");
     }
 
@@ -245,7 +247,12 @@ mod tests {
             let placing =
                 GeoreferencingOptions { crs: Some(crs.to_string()).filter(|crs| !crs.is_empty()), ..GeoreferencingOptions::default() };
             let images = ["1.png", "2.png"].map(String::from);
-            ControlTables::read(&rows, marks).unwrap().check(&images, &placing).err().map(|error| error.to_string()).unwrap_or_default()
+            ControlTables::read(&rows, marks)
+                .unwrap()
+                .check(&images, &placing, false)
+                .err()
+                .map(|error| error.to_string())
+                .unwrap_or_default()
         };
         let feet = "name,Easting (ft),Northing (ft),Height (ft)";
         assert!(refused(feet, "").contains("the column 'Easting (ft)' in ft; allowed: coordinates in m, or"), "{}", refused(feet, ""));
@@ -263,7 +270,7 @@ mod tests {
     fn a_measurement_outside_its_image_is_refused_without_a_size_that_nobody_knows() {
         let marks = |x: &str| format!("1.png,a,{x},20\n2.png,a,1,2\n1.png,b,3,4\n2.png,b,3,4\n1.png,c,5,6\n2.png,c,5,6\n");
         let images = ["1.png", "2.png"].map(String::from);
-        let check = |x: &str| ControlTables::read(POINTS, &marks(x)).unwrap().check(&images, &GeoreferencingOptions::default());
+        let check = |x: &str| ControlTables::read(POINTS, &marks(x)).unwrap().check(&images, &GeoreferencingOptions::default(), false);
         for x in ["-1", "1e9"] {
             let told = check(x).unwrap_err().to_string();
             assert!(
@@ -310,7 +317,7 @@ mod tests {
         let on_earth = "name,x,y,z,use\na,428217,5539031,100,check\nb,428459,5539032,95,control\n";
         let beside = ControlTables::read(on_earth, "1.png,a,1,1\n2.png,a,1,1\n1.png,b,2,2\n2.png,b,2,2\n").unwrap();
         let images = ["1.png", "2.png"].map(String::from);
-        beside.check(&images, &in_crs).unwrap();
+        beside.check(&images, &in_crs, false).unwrap();
         assert_eq!(beside.join(&images, &in_crs, &HeightZero::Unknown, 0).unwrap().0.len(), 2);
         assert!(
             beside.join(&images, &in_crs, &HeightZero::Unknown, LEAST_CONTROL).unwrap_err().to_string().contains("1 of 1 (check points")

@@ -3,7 +3,7 @@
 use super::added_control::added_control;
 use super::focal_change::tell_after_edits;
 use super::ground::{is_place_of_orthophoto, own_control};
-use super::mistakes::explain_control;
+use super::mistakes::{explain_control, tell_elsewhere};
 use super::points::reconstruction_options;
 use super::state::{describe, describe_with, known_images};
 use super::{BlockRun, EditedRun, OnOrthophoto};
@@ -92,6 +92,7 @@ impl BlockRun {
             model.surveyed.clear();
         }
         explain_control(&mut model, assembly.origin, &input, options.adjustment.limit());
+        tell_elsewhere(&mut model, &as_found, &found.unknown_images);
         tell_after_edits(&mut model, &before.models[0], &description);
         let by_hand = if is_linked { None } else { placed_by_hand(&model, edits, as_found.control.len(), in_crs) };
         assembly.models[0] = model;

@@ -2,7 +2,7 @@
 
 use super::focal_change::tell_by_ground;
 use super::gross_places::{GROSS, beside_neighbours, beyond};
-use super::mistakes::explain_control;
+use super::mistakes::{explain_control, tell_elsewhere};
 use super::place_factors::{PlaceFactors, PlaceResidual, place_factors};
 use super::points::reconstruction_options;
 use super::state::describe;
@@ -12,7 +12,7 @@ use crate::crs::HeightZero;
 use crate::error::refuse;
 use crate::formats::{ground_control_table, image_measurement_table};
 use crate::math::{NORMAL_MEDIAN, dot3, median};
-use crate::reconstruction::{origin_of, with_further_control};
+use crate::reconstruction::{CommonShift, SHARED, origin_of, with_further_control};
 use crate::{
     BlockDescription, ControlPoint, ControlRole, Error, Failure, GroundControlRow, ImageMeasurementRow, ObservationVerdict, PointSource,
     PriorStatistics, ReconstructedModel, ReconstructionOptions, Refusal, Remark, parse_ground_control_points, parse_image_measurements,
@@ -23,9 +23,6 @@ use std::collections::{BTreeMap, BTreeSet};
 const LEAST_POINTS: usize = 10;
 /// Adjustments until no point is rejected and no weight changes any more, at most.
 const MOST_ADJUSTMENTS: usize = 24;
-/// What all points may share of one's standard error, as an orthophoto that is off as a whole has it: residuals do not show it. At first the
-/// points are weighted as if they did: the block hardly follows them, so that residuals show their errors.
-const SHARED: f64 = 0.5;
 /// The change of a standard error, as a share of it, that is none.
 const SAME: f64 = 0.05;
 /// What names of these points begin with.
@@ -123,6 +120,8 @@ impl<'a> Ground<'a> {
         let stated = points.iter().map(|point| (point.sigma, point.role)).collect();
         let factors = PlaceFactors { own: [1.0; 2], among_others: [1.0; 2] };
         let mut ground = Self { found, own, added, stated, factors, measurements, epsg };
+        // At first the points are weighted as if they shared what they may share, which residuals do not show: the block hardly follows them, so
+        // that residuals show their errors.
         let shared = SHARED * SHARED * ground.used(ControlRole::Control) as f64;
         ground.enlarge(PlaceFactors { among_others: [(1.0 + shared).sqrt(); 2], ..factors });
         Ok(ground)
@@ -184,7 +183,7 @@ impl<'a> Ground<'a> {
             self.own.iter().map(|row| GroundControlRow { role: row.role.and(Some(ControlRole::Check)), ..row.clone() }).collect();
         let others = if places { checking } else { self.own.clone() };
         let attempt = match self.settled(&others, points)? {
-            Ok(attempt) if places => match contradiction(&attempt, &self.own, self.shared_errors())? {
+            Ok(attempt) if places => match contradiction(&attempt, self.shared_errors())? {
                 Some(contradiction) => return Ok(Err(contradiction)),
                 None => self.attempt(&self.own)?,
             },
@@ -292,6 +291,7 @@ impl<'a> Ground<'a> {
         let origin = origin_of(&description)?;
         let checked = input.clone().checked(found.geoid.as_ref())?;
         explain_control(&mut model, origin, &checked, reconstruction_options(&checked.settings).adjustment.limit());
+        tell_elsewhere(&mut model, &description, &found.unknown_images);
         if let Some(before) = found.reconstruction.as_ref().ok().and_then(|assembly| assembly.models.first()) {
             tell_by_ground(&mut model, before, &description);
         }
@@ -340,19 +340,16 @@ fn has_crs(input: &RunInput) -> bool {
     input.settings.placing.crs.is_some()
 }
 
-/// Whether the ground control points of a block that lies where the orthophoto has it are all elsewhere: by the medians of their differences,
-/// since errors of the orthophoto as a whole are common to them. They are given along the axes of the coordinate reference system, where the block has one.
-/// `shared`: standard errors of the orthophoto as a whole, which those of the block do not hold.
-fn contradiction(attempt: &Attempt, own: &[GroundControlRow], shared: [f64; 3]) -> Result<Option<NotLinked>, Error> {
-    let names: BTreeSet<&str> = own.iter().map(|row| row.name.as_str()).collect();
-    let given = || attempt.model.surveyed.iter().filter(|point| names.contains(point.name.as_str()));
-    let middle = |k: usize| median(&mut given().map(|point| point.difference_m[k]).collect::<Vec<_>>());
-    let error = |k: usize| median(&mut given().filter_map(|point| point.standard_errors_m[k]).collect::<Vec<_>>());
-    let differs = |k: usize| matches!((middle(k), error(k)), (Some(difference), Some(error)) if difference.abs() > GROSS * libm::hypot(error, shared[k]));
-    if !(0..3).any(differs) {
+/// Whether the ground control points of a block that lies where the orthophoto has it, and has them as check points, are all elsewhere. They are
+/// given along the axes of the coordinate reference system, where the block has one. `shared`: standard errors of the orthophoto as a whole, which those of
+/// the block do not hold.
+fn contradiction(attempt: &Attempt, shared: [f64; 3]) -> Result<Option<NotLinked>, Error> {
+    let own = own_control(&attempt.description);
+    let Some(shift) = CommonShift::of_checks(&attempt.model, &attempt.description, own) else { return Ok(None) };
+    let apart = shift.difference_m;
+    if (0..3).all(|k| apart[k].abs() <= GROSS * libm::hypot(shift.errors_m[k], shared[k])) {
         return Ok(None);
     }
-    let apart = [0, 1, 2].map(|k| middle(k).unwrap_or(0.0));
     let [x_m, y_m, z_m] = match attempt.axes()? {
         Some(axes) => axes.map(|axis| dot3(&axis, &apart)),
         None => apart,

@@ -31,6 +31,13 @@ pub struct RunInput {
     /// GeographicLib.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub geoid: Option<String>,
+    /// Whether an orthophoto is to place the block afterwards: then one or two control points, and check points alone, are of use.
+    #[serde(skip_serializing_if = "is_false")]
+    pub on_orthophoto: bool,
+}
+
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 /// Ground control points and their image measurements, as the texts of two files.
@@ -52,6 +59,7 @@ impl Default for RunInput {
             use_gnss: true,
             control: None,
             geoid: None,
+            on_orthophoto: false,
         }
     }
 }
@@ -70,6 +78,7 @@ pub(super) struct Checked {
     pub use_gnss: bool,
     pub control: Option<ControlTables>,
     pub geoid: Option<String>,
+    pub on_orthophoto: bool,
     /// Where the heights of the coordinate system count from; not known before the geoid was read, where one is given.
     pub zero: HeightZero,
 }
@@ -90,11 +99,11 @@ impl RunInput {
         let unused_cameras = rules.unused(&self.images)?;
         let control = self.control.as_ref().map(|texts| ControlTables::read(&texts.points, &texts.marks)).transpose()?;
         if let Some(control) = &control {
-            control.check(&self.images, &self.settings.placing)?;
+            control.check(&self.images, &self.settings.placing, self.on_orthophoto)?;
         }
         let zero = self.zero(geoid);
-        let Self { settings, images, masks, use_gnss, geoid, .. } = self;
-        Ok(Checked { settings, images, masks, mask_of, unused_masks, rules, unused_cameras, use_gnss, control, geoid, zero })
+        let Self { settings, images, masks, use_gnss, geoid, on_orthophoto, .. } = self;
+        Ok(Checked { settings, images, masks, mask_of, unused_masks, rules, unused_cameras, use_gnss, control, geoid, on_orthophoto, zero })
     }
 }
 

@@ -1,10 +1,21 @@
 //! What explains wrong control points of a block in a coordinate reference system: the numbers that were written are those of the system, not those
 //! of the adjustment, which is Cartesian.
 
+use super::ground::own_control;
 use super::input::Checked;
 use super::system::{in_other_zone, system_of};
 use crate::reconstruction::Doubted;
-use crate::{BlockWarning, GeographicOrigin, Mistake, ReconstructedModel, geographic_from_local};
+use crate::{BlockDescription, BlockWarning, ControlRole, GeographicOrigin, Mistake, ReconstructedModel, geographic_from_local};
+
+/// Says that no image of the block shows any of the points that were given. `unknown`: the images that the table of measurements names in their place.
+pub(super) fn tell_elsewhere(model: &mut ReconstructedModel, description: &BlockDescription, unknown: &[String]) {
+    let given = &description.control[..own_control(description)];
+    if given.is_empty() || given.iter().any(|point| !point.measurements.is_empty()) {
+        return;
+    }
+    let check = given.iter().all(|point| point.role == ControlRole::Check);
+    model.warnings.push(BlockWarning::ControlElsewhere { points: given.len(), images: unknown.to_vec(), check });
+}
 
 /// Names the coordinate of the system in warnings of wrong control points, and what explains it. `limit`: of a test.
 pub(super) fn explain_control(model: &mut ReconstructedModel, origin: Option<GeographicOrigin>, input: &Checked, limit: f64) {

@@ -25,19 +25,20 @@ impl<'a> NamedImages<'a> {
         Self { exact, by_file: unique(file_of), by_stem: unique(|name| stem_of(&file_of(name)).to_string()) }
     }
 
-    /// The image that a name means: the one of this name, else the only one of this file name, else, where the name has no ending of its own, the only one
-    /// of this name without its ending; none where there is none, or several.
+    /// The image that a name means: the one of this name, else the only one of this file name, else the only one of this name without its ending,
+    /// where the name has none or that of another format of images; none where there is none, or several.
     pub(super) fn find(&self, name: &str) -> Option<usize> {
         let file = file_of(name);
         let found = self.exact.get(name).copied().or_else(|| self.by_file.get(&file).copied().flatten());
-        found.or_else(|| self.by_stem.get(&file).copied().flatten())
+        let by_stem = |stem: &str| self.by_stem.get(stem).copied().flatten();
+        found.or_else(|| by_stem(&file)).or_else(|| by_stem(file.rsplit_once('.').filter(|(_, ending)| ENDINGS.contains(ending))?.0))
     }
 }
 
 /// Image measurements with the names that these images have; those of images that are not among them stay as they are.
 ///
-/// A table means the image of its name, else the only one of this file name whatever folder and capitals, else, where its name has no
-/// ending, the only one of this name without its ending.
+/// A table means the image of its name, else the only one of this file name whatever folder and capitals, else the only one of this name
+/// without its ending, where its name has none or that of another format of images.
 pub fn measurements_of_images(mut rows: Vec<ImageMeasurementRow>, images: &[String]) -> Vec<ImageMeasurementRow> {
     let named = NamedImages::new(images);
     for row in &mut rows {
@@ -47,6 +48,10 @@ pub fn measurements_of_images(mut rows: Vec<ImageMeasurementRow>, images: &[Stri
     }
     rows
 }
+
+/// Of formats that photographs are kept in, in small letters: a block may be made from copies in another one.
+const ENDINGS: [&str; 17] =
+    ["arw", "bmp", "cr2", "cr3", "dng", "heic", "jpeg", "jpg", "nef", "orf", "pgm", "png", "ppm", "raf", "tif", "tiff", "webp"];
 
 fn file_of(name: &str) -> String {
     name.rsplit(['/', '\\']).next().unwrap_or(name).to_lowercase()
@@ -73,6 +78,10 @@ mod tests {
             ("IMG_2", None),
             ("IMG_2.tif", None),
             ("scan.1", Some(4)),
+            ("scan.1.JPG", Some(4)),
+            ("b/scan.1.CR3", Some(4)),
+            ("scan.1.txt", None),
+            ("scan.tif", None),
             ("Scan.1.TIF", Some(4)),
             ("scan", None),
             ("Img_3.jpg", Some(5)),

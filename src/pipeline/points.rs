@@ -2,7 +2,7 @@
 
 use super::JoinedPoints;
 use super::job::{Done, StageName, Work};
-use super::mistakes::explain_control;
+use super::mistakes::{explain_control, tell_elsewhere};
 use super::stage::{Request, Stage};
 use super::state::State;
 use crate::{
@@ -112,6 +112,7 @@ fn orient(state: &mut State) -> Result<(), Error> {
         let origin = reconstruction.origin;
         for model in &mut reconstruction.models {
             explain_control(model, origin, &state.input, options.adjustment.limit());
+            tell_elsewhere(model, &state.description, &state.unknown_images);
         }
         let model = reconstruction.models.first().map(|_| reconstruction.block_model(0, &state.description, &state.points)).transpose()?;
         Ok((reconstruction, model))

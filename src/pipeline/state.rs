@@ -233,7 +233,7 @@ pub(super) fn describe_with(
     let names: Vec<String> = images.iter().map(|image| image.name.clone()).collect();
     // GNSS positions in the system of the points, and heights that count from where theirs do, place the block by themselves.
     let has_places = places.len() >= LEAST_CONTROL && system.as_ref().is_some_and(|system| system.zero().is_known());
-    let least = if has_places { 0 } else { LEAST_CONTROL };
+    let least = if has_places || input.on_orthophoto { 0 } else { LEAST_CONTROL };
     let joined = input.control.as_ref().map(|control| control.join(&names, placing, &input.zero, least)).transpose().map_err(named)?;
     let (mut control, unknown_images) = joined.unwrap_or_default();
     for row in further {

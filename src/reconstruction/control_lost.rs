@@ -2,9 +2,11 @@
 
 use super::result::{PointSource, ReconstructedModel};
 use super::warning::BlockWarning;
+use crate::ObservationVerdict;
 use crate::math::{dot3, minus};
 use crate::model::{BlockDescription, ControlRole, GroundControlPoint};
 use nalgebra::{Matrix3, Vector3};
+use std::collections::BTreeMap;
 
 /// Of the measured control points, by which share more are lost than single slips explain.
 const FEW: f64 = 0.2;
@@ -24,11 +26,14 @@ impl<'a> Measured<'a> {
         let is_measured = |point: &GroundControlPoint| {
             point.measurements.iter().filter(|seen| model.images.binary_search(&seen.image).is_ok()).count() >= 2
         };
-        // One whose image measurements are all rejected is lost, too.
-        let is_taken = |index: usize| {
-            let place = model.points.iter().position(|point| *point == PointSource::GroundControl(index));
-            place.is_some_and(|place| model.adjusted.points[place].is_some())
-        };
+        let mut accepted = BTreeMap::new();
+        for (ray, statistics) in model.adjusted.block.rays.iter().zip(&model.adjusted.rays) {
+            if statistics.verdict == ObservationVerdict::Accepted {
+                *accepted.entry(model.points[ray.point]).or_insert(0) += 1;
+            }
+        }
+        // One of which a single image measurement is left is lost, too: that fits nearly anything.
+        let is_taken = |index: usize| accepted.get(&PointSource::GroundControl(index)).is_some_and(|rays| *rays >= 2);
         Self { points: control.filter(|(_, point)| is_measured(point)).map(|(index, point)| (point, is_taken(index))).collect() }
     }
 }
@@ -37,7 +42,8 @@ impl<'a> Measured<'a> {
 pub(super) fn of_lost(model: &ReconstructedModel, description: &BlockDescription, own: usize) -> Option<BlockWarning> {
     let measured = Measured::of(model, description, own).points;
     let lost: Vec<&GroundControlPoint> = measured.iter().filter(|(_, is_taken)| !is_taken).map(|(point, _)| *point).collect();
-    if lost.len() < 2 || lost.len() as f64 <= FEW * measured.len() as f64 {
+    // One alone may be a slip, unless it is all that there is, or half of that.
+    if lost.is_empty() || (lost.len() == 1 && measured.len() > 2) || lost.len() as f64 <= FEW * measured.len() as f64 {
         return None;
     }
     let meeting = lost.iter().filter(|point| meet_from_bottom(model, description, point)).count();

@@ -6,6 +6,7 @@
 
 mod adjusting;
 mod choosing;
+mod common_shift;
 mod control_course;
 mod control_lost;
 mod control_shape;
@@ -39,6 +40,7 @@ mod surveyed;
 mod units;
 mod warning;
 
+pub(crate) use common_shift::{CommonShift, SHARED};
 pub(crate) use frame::{PLACING, origin_of};
 pub(crate) use mistake::Doubted;
 pub use mistake::{Axis, Mistake};

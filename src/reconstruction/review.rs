@@ -1,5 +1,6 @@
 //! What of a model deserves a warning.
 
+use super::common_shift::of_check_points;
 use super::control_course::{ControlTests, Refused};
 use super::control_lost::{of_lost, of_unplaced};
 use super::control_shape::of_shape;
@@ -33,7 +34,7 @@ const LOOKING_UP_DEG: f64 = 150.0;
 /// GNSS positions, at least, whose median tells what all have in common.
 const LEAST_POSITIONS: usize = 4;
 /// The standard error of a median of many normal variables, in that of their mean.
-const MEDIAN_BY_MEAN: f64 = 1.2533;
+pub(super) const MEDIAN_BY_MEAN: f64 = 1.2533;
 
 /// `placing`: how the model came to lie where it does.
 pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: Placing, tests: &ControlTests) -> Vec<BlockWarning> {
@@ -57,6 +58,7 @@ pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: P
     found.extend(of_position_errors(model));
     found.extend(of_units(model, description, frame));
     found.extend(of_control(model, known, tests));
+    found.extend(of_check_points(model, known));
     found.extend(of_shape(model, description));
     found.extend(of_unplaced(model, description, own_control, &found));
     found.extend(of_spread(model));

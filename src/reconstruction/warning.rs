@@ -107,6 +107,10 @@ messages! {
             #[serde(default)]
             check: bool,
         },
+        /// A coordinate in which check points differ alike from the block: adjusted minus surveyed in the median, and the standard error of that.
+        ChecksApart { axis: Axis, points: usize, difference_m: f64, error_m: f64 },
+        /// No image measurement of the points that were given is in an image of the block. `check`: all of them are check points.
+        ControlElsewhere { points: usize, images: Vec<String>, check: bool },
         /// A focal length that was not known.
         FocalEstimated { camera: NamedCamera, error_px: f64 },
         /// A focal length that was not known and stays so.
@@ -138,6 +142,8 @@ impl BlockWarning {
             Self::Free { cause } => cause.is_some(),
             // Of a wall or a street that was taken for the ground nothing tells.
             Self::Levelled { recorded, error_deg, .. } => !recorded && error_deg.is_none_or(|error| error > UNKNOWN_TURN_DEG),
+            // The block is what it is without check points.
+            Self::ControlElsewhere { check, .. } => !check,
             Self::UnknownRotation { .. }
             | Self::UncertainRotation { .. }
             | Self::LookingUp { .. }
@@ -151,6 +157,7 @@ impl BlockWarning {
             | Self::ControlLost { .. }
             | Self::ControlWithoutPlace { .. }
             | Self::ControlShape { .. }
+            | Self::ChecksApart { .. }
             | Self::Scale { .. }
             | Self::Degrees
             | Self::FocalUndetermined { .. }

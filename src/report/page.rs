@@ -25,7 +25,7 @@ impl Report {
             (self.summary())
             h2 { "Images, points and matches" }
             (self.pictures())
-            h2 { "All strategies on the same points" }
+            h2 { "All strategies" }
             (tables::counts(self))
             (tables::refusals(self))
             @if self.truth.is_some() { (tables::scores(self)) }

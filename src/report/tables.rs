@@ -269,7 +269,12 @@ fn inconsistent(options: &MatchOptions) -> &'static str {
 fn difference_of_precision(moments: &Study) -> Markup {
     let scaled = moments.standard_errors_at(PAPER.sigma0_mm, PAPER.points[2][0]);
     html! {
-        "Table 2. The paper's σ₀ of 0.150 mm is 0.6 px; by moments it is " (fixed(moments.sigma0_px(), 2)) " px here, after robust estimation and data snooping"
+        "Table 2. The paper's σ₀ of 0.150 mm is 0.6 px; by moments "
+        @if moments.sigma0_px().is_some() {
+            "it is " (fixed(moments.sigma0_px(), 2)) " px here, after robust estimation and data snooping"
+        } @else {
+            "this pair is not oriented"
+        }
         @if let Some(of_all) = moments.sigma0_of_all_px() { ", and " (fixed(of_all, 2)) " px of all matches without either" }
         ". "
         @if let Some(scaled) = scaled {

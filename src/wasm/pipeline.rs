@@ -102,16 +102,18 @@ pub fn check_cameras(text: &str, names: Vec<String>) -> JsResult<()> {
     if names.is_empty() { Ok(()) } else { rules.unused(&names).map(|_| ()).map_err(thrown) }
 }
 
-/// Refuses ground control points and image measurements that a run of these images would refuse, as far as their names say.
+/// Refuses ground control points and image measurements that a run of these images would refuse, as far as their names say. `on_orthophoto`:
+/// whether one places the block afterwards.
 #[wasm_bindgen]
 pub fn check_control(
     points: &str,
     marks: &str,
     names: Vec<String>,
     #[wasm_bindgen(unchecked_param_type = "GeoreferencingOptions")] placing: &JsValue,
+    on_orthophoto: Option<bool>,
 ) -> JsResult<()> {
     let placing: GeoreferencingOptions = read("placing", placing)?;
-    ControlTables::read(points, marks).and_then(|tables| tables.check(&names, &placing)).map_err(thrown)
+    ControlTables::read(points, marks).and_then(|tables| tables.check(&names, &placing, on_orthophoto.unwrap_or(false))).map_err(thrown)
 }
 
 /// Refuses the file of a geoid beside its height, and one without a coordinate system whose heights count from it.

@@ -286,7 +286,7 @@ test('surveyed points place the block', () => {
   const strange = file(at, 'strange.csv', `absent.png,P0,1,1\n${marks.join('\n')}\n`);
   assert.match(
     tiepoint(...BLOCK.call, '--out', half(), ...known, '--control', control, '--marks', strange).stderr,
-    /the image measurements name absent\.png, which is none of the images/,
+    /the image measurements name images that are none of the block: absent\.png/,
   );
   const other = file(at, 'other.csv', marks.join('\n').replaceAll('photo_', 'flight_'));
   assert.match(

@@ -230,7 +230,7 @@ fn an_image_is_sought_about_its_gnss_position_first_and_then_anywhere() {
     let grey = decode(&file, &DecodeLimits::default()).unwrap().grey;
     let recorded = ExifImage::read(&file, 480, 360).position.unwrap();
     let truth = flown().scene.truth();
-    let known = PlacingCamera { camera: truth.cameras[0], uncertainty: CameraUncertainty::NONE };
+    let known = PlacingCamera { camera: truth.cameras[0], uncertainty: CameraUncertainty::NONE, decentring: None };
     let options = PlacingOptions { within_m: 300.0, ..placing() };
     let place = |reference: &Orthophoto, position: Option<&ExifPosition>, options: &PlacingOptions| {
         let area = SearchArea::new(reference, options).unwrap();

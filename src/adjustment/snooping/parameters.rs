@@ -104,11 +104,12 @@ impl Course<'_> {
         Ok(())
     }
 
-    /// Fixes a camera parameter at the value that was given.
+    /// Fixes a camera parameter at the value that is known beforehand, or was given.
     fn fix(&mut self, (camera, parameter): (usize, usize), effect_px: Option<f64>) {
         self.forget();
         self.free[camera][parameter] = false;
-        self.state.cameras[camera][parameter] = self.start.cameras[camera][parameter];
+        let known = self.block.camera_priors.iter().find(|prior| prior.camera == camera).filter(|prior| prior.sigma[parameter].is_some());
+        self.state.cameras[camera][parameter] = known.map_or(self.start.cameras[camera][parameter], |known| known.values[parameter]);
         self.fixed[camera].push(FixedParameter { parameter: CameraParameter::ALL[parameter], effect_px });
     }
 }

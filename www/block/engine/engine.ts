@@ -16,6 +16,7 @@ import { calibrationsOf } from '../state/calibrated';
 import { firstProblem } from '../state/given';
 import { givenToRun } from '../state/marks';
 import type { BlockAction } from '../state/reducer';
+import { purposeOf } from '../state/purpose';
 import { isBusy, wantedKey } from '../state/state';
 import type { BlockView } from '../state/view';
 import { say } from '../../shared/text/words';
@@ -73,7 +74,7 @@ export class BlockEngine {
     try {
       const input = {
         files,
-        options: runOptions({ ...state.options, ...givenToRun(state) }, settings),
+        options: { ...runOptions({ ...state.options, ...givenToRun(state) }, settings), onOrthophoto: purposeOf(state) === 'block' },
         masks: state.options.masks,
         geoid: state.options.geoid,
         truth,

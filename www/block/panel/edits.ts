@@ -24,7 +24,7 @@ import type { EditStep, Standing } from '../state/edits';
 import type { Names } from '../state/naming';
 import { takesPlaces } from '../state/places';
 import { blockOnOrthophoto } from '../state/showing';
-import { joined, split } from '../state/joining';
+import { apart, joined, split } from '../state/joining';
 import { shownImages } from '../state/panes';
 import { pointsOf } from '../state/selection';
 import { removable, removesOthers } from '../state/removing';
@@ -62,12 +62,25 @@ function makeStep(store: BlockStore, edits: readonly BlockEdit[] | null): void {
 /** So many points may be one. */
 const MOST_JOINED = 8;
 
-/** The step that joins the chosen points; null where they cannot be, and while their figures are on their way. */
-function joinedOf({ selection, shown }: BlockState, facts: Facts): readonly BlockEdit[] | null {
+/** The points that are chosen to be one; null where they cannot be, and while their figures are on their way. */
+function toJoin({ selection, shown }: BlockState, facts: Facts): readonly PointDetail[] | null {
   const points = pointsOf(selection.chosen);
   if (shown === null || points.length < 2 || points.length > MOST_JOINED || points.some((point) => point >= shown.view.points.taking)) return null;
   const details = [...points].flatMap((point) => facts.point(point) ?? []);
-  return details.length < points.length ? null : joined(details);
+  return details.length < points.length || joined(details) === null ? null : details;
+}
+
+/** Joins the chosen points, or says where they lie apart. */
+function join(store: BlockStore, facts: Facts): void {
+  const points = toJoin(store.state, facts);
+  if (points === null) return;
+  const far = apart(points);
+  if (far === null) {
+    makeStep(store, joined(points));
+    return;
+  }
+  const image = store.state.shown?.view.images[far.image]?.name ?? '';
+  store.dispatch({ type: 'notice', notice: { kind: 'problem', text: say('not-joined', { image, px: fixed(far.px, 0) }), beside: true } });
 }
 
 /** The step that splits the chosen point by the images that are shown. */
@@ -161,8 +174,8 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     say('measure-the-chosen-point-in'),
   );
   const add = button(say('add-point'), 'block-add-point', () => measures()?.toggle(true), say('measure-a-new-tie-point'));
-  const join = button(say('join'), 'block-join', () => makeStep(store, joinedOf(store.state, facts)), say('the-chosen-points-are-one'));
-  const apart = button(say('split'), 'block-split', () => makeStep(store, splitOf(store.state, facts)), say('the-point-is-two-one'));
+  const joining = button(say('join'), 'block-join', () => join(store, facts), say('the-chosen-points-are-one'));
+  const parting = button(say('split'), 'block-split', () => makeStep(store, splitOf(store.state, facts)), say('the-point-is-two-one'));
   const match = button(say('match-it'), 'block-match', () => measures()?.match(), say('match-the-point-in-the'));
   const accept = button(say('accept'), 'block-accept', () => measures()?.accept(), say('the-point-is-measured-enter'));
   const leave = button(say('cancel'), 'block-leave', () => measures()?.leave(), say('give-what-is-measured-up'));
@@ -175,7 +188,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
   const bar = h(
     'div',
     { class: 'toolbar edit-bar', testid: 'block-edit-bar', role: 'toolbar', aria: { label: say('edits-by-hand') } },
-    ...[undo, redo, reject, whole, restore, remove, join, apart, measure, add, match, accept, leave, use, text],
+    ...[undo, redo, reject, whole, restore, remove, joining, parting, measure, add, match, accept, leave, use, text],
   );
   const counterparts = new Map<Element | null, readonly HTMLElement[]>([
     [reject, [restore]],
@@ -208,8 +221,8 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     const { taking = 0 } = state.shown?.view.points ?? {};
     measure.disabled = chosen?.kind !== 'given' && ((chosen?.kind !== 'point' && chosen?.kind !== 'observation') || chosen.point >= taking);
     add.hidden = drafting || !inImages;
-    join.hidden = drafting || joinedOf(state, facts) === null;
-    apart.hidden = drafting || !inImages || splitOf(state, facts) === null;
+    joining.hidden = drafting || toJoin(state, facts) === null;
+    parting.hidden = drafting || !inImages || splitOf(state, facts) === null;
     match.hidden = !inImages || ((measure.disabled || given) && !drafting);
     accept.hidden = !drafting;
     accept.disabled =

@@ -10,6 +10,7 @@ import {
 import type { GeoreferencingOptions } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import { collectedOf } from './marks';
+import { purposeOf } from './purpose';
 import type { BlockOptions, BlockState } from './state';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
@@ -27,11 +28,12 @@ export const PARTNER_MISSING: Readonly<Partial<Record<Given, string>>> = {
   marks: say('image-measurements-need-their-ground'),
 };
 
-type WithGiven = Pick<BlockState, 'files' | 'options' | 'marks' | 'shown'>;
+type WithGiven = Pick<BlockState, 'files' | 'options' | 'marks' | 'shown' | 'placing'>;
 
 export function problemsOf(state: WithGiven): Problems {
   const { files, options } = state;
-  return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks, options.geoid, collectedOf(state));
+  const { settings, cameras, control, marks, masks, geoid } = options;
+  return problems(files, settings?.placing ?? null, cameras, control, marks, masks, geoid, collectedOf(state), purposeOf(state) === 'block');
 }
 
 /** The first of them; null where there is none. */
@@ -49,6 +51,7 @@ const problems = remember(
     masks: BlockOptions['masks'],
     geoid: BlockOptions['geoid'],
     { run }: ReturnType<typeof collectedOf>,
+    onOrthophoto: boolean,
   ): Problems => {
     // Nothing is given before the crate is there to read it.
     if (placing === null) return {};
@@ -66,7 +69,7 @@ const problems = remember(
     if (cameras !== null) look('cameras', cameras.name, () => check_cameras(cameras.text, names));
     const pointsRead = control !== null && look('control', control.name, () => parse_ground_control_points(control.text));
     const marksRead = marks === null || look('marks', marks.name, () => parse_image_measurements(marks.text));
-    if (pointsRead && marksRead && run !== null) look('marks', marks?.name ?? '', () => check_control(run.points, run.marks, names, placing));
+    if (pointsRead && marksRead && run !== null) look('marks', marks?.name ?? '', () => check_control(run.points, run.marks, names, placing, onOrthophoto));
     if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? '';
     look('masks', '', () =>
       masks_of_images(

@@ -8,6 +8,26 @@ function placesOf({ observations }: PointDetail): HandMeasurement[] {
     .map(({ image, x_px, y_px, by_hand }) => ({ image, x_px, y_px, by: by_hand ? 'hand' : 'least_squares' }));
 }
 
+/** Places of one point in an image lie no farther apart, in px: by so much matches of it differ. */
+const ONE_PLACE_PX = 5;
+
+/** The image in which points lie farthest apart, if farther than places of one point do, and how far in px; null where they may be one. */
+export function apart(points: readonly PointDetail[]): { image: number; px: number } | null {
+  let farthest: { image: number; px: number } | null = null;
+  const seen = new Map<number, [number, number][]>();
+  for (const point of points) {
+    for (const { image, x_px, y_px } of placesOf(point)) {
+      const others = seen.get(image) ?? [];
+      for (const [x, y] of others) {
+        const px = Math.hypot(x - x_px, y - y_px);
+        if (px > (farthest?.px ?? ONE_PLACE_PX)) farthest = { image, px };
+      }
+      seen.set(image, [...others, [x_px, y_px]]);
+    }
+  }
+  return farthest;
+}
+
 /**
  * The step that makes one of several points; null where they cannot be one. Where two have an observation in the same image, that of the one with more
  * rays stands. A surveyed point among them gets the observations of the others.

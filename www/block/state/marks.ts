@@ -5,11 +5,12 @@ import type { History } from '../../shared/state/history';
 import type { Position } from '../../shared/state/pane';
 import { remember } from '../../shared/state/remember';
 import type { TextFile } from './file';
+import type { Purpose } from './placing';
 import type { BlockView } from './view';
 
-/** So many control points place a block, each measured in so many images. Beside GNSS positions that place it one point is of use, whatever it is for. */
+/** So many control points place a block, each measured in so many images. Where something else places it one point is of use, whatever it is for. */
 const LEAST_POINTS = 3;
-const LEAST_BESIDE_GNSS = 1;
+const LEAST_PLACED = 1;
 const LEAST_IMAGES = 2;
 
 /** What is done and undone at once to what a run is given. `after`: so many edits of the block held then; what was done last is undone first. */
@@ -78,9 +79,9 @@ interface Collected {
 }
 
 const collected = remember(
-  (control: TextFile | null, file: TextFile | null, history: History<MarkStep>, files: readonly Named[], besideGnss: boolean): Collected => {
+  (control: TextFile | null, file: TextFile | null, history: History<MarkStep>, files: readonly Named[], isPlaced: boolean): Collected => {
     const byHand = marksByHand(history);
-    const needed = besideGnss ? LEAST_BESIDE_GNSS : LEAST_POINTS;
+    const needed = isPlaced ? LEAST_PLACED : LEAST_POINTS;
     if (control === null) return { twice: 0, needed, run: null, asGiven: true };
     if (file !== null && byHand.length === 0) return { twice: 0, needed, run: { points: control.text, marks: file.text }, asGiven: true };
     const points = pointsOfFile(control);
@@ -90,7 +91,7 @@ const collected = remember(
     const marks = allMarks(file, history, files).filter((mark) => !ofHand.has(mark) || (names.has(mark.point) && images.has(mark.image)));
     const seen = new Map<string, number>();
     for (const { point, image } of marks) if (images.has(image)) seen.set(point, (seen.get(point) ?? 0) + 1);
-    const counts = ({ role }: GroundControlRow) => role === 'control' || (besideGnss && role === 'check');
+    const counts = ({ role }: GroundControlRow) => role === 'control' || (isPlaced && role === 'check');
     const twice = points.filter((point) => counts(point) && (seen.get(point.name) ?? 0) >= LEAST_IMAGES).length;
     return { twice, needed, run: twice < needed ? null : { points: control.text, marks: image_measurement_table(marks) }, asGiven: false };
   },
@@ -101,12 +102,18 @@ export interface WithMarks {
   files: readonly Named[];
   options: Given;
   marks: History<MarkStep>;
-  shown: { found: Pick<BlockView, 'crs' | 'geoidM' | 'origin'> } | null;
+  shown: { found: Pick<BlockView, 'crs' | 'geoidM' | 'origin'>; ground: object | null } | null;
+  placing: { purpose: Purpose | null };
 }
 
-/** Whether the block was found at a place on the earth, in the coordinate system of the points, with heights that count from where theirs do. */
-const isPlaced = ({ shown }: Pick<WithMarks, 'shown'>): boolean =>
-  shown !== null && shown.found.origin !== null && shown.found.crs !== null && shown.found.geoidM !== null;
+/**
+ * Whether a block is placed without control points: on an orthophoto, or by GNSS positions in the coordinate system of the points, with heights that count
+ * from where theirs do.
+ */
+function isPlaced({ shown, placing }: Pick<WithMarks, 'shown' | 'placing'>): boolean {
+  if (placing.purpose === 'block' || (shown !== null && shown.ground !== null)) return true;
+  return shown !== null && shown.found.origin !== null && shown.found.crs !== null && shown.found.geoidM !== null;
+}
 
 /** How far the measurements are. */
 export function collectedOf(state: WithMarks): Collected {

@@ -132,7 +132,7 @@ export const BLOCK_INITIAL: BlockState = {
 export type Listed = Pick<Shown, 'view' | 'given'>;
 
 /** Names what a run of the present files and options would be made from. */
-export function wantedKey(state: Pick<BlockState, 'files' | 'options' | 'marks' | 'shown'>): string {
+export function wantedKey(state: Pick<BlockState, 'files' | 'options' | 'marks' | 'shown' | 'placing'>): string {
   return JSON.stringify([state.files.map(({ id }) => id), { ...state.options, ...givenToRun(state), geoid: state.options.geoid ?? undefined }]);
 }
 

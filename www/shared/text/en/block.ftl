@@ -186,6 +186,7 @@ measure-it = Measure
 measure-the-chosen-point-in = Measure the chosen point in the images that are shown (E)
 add-point = Add point
 measure-a-new-tie-point = Measure a new tie point in two or more images (A)
+not-joined = Not joined: in { $image } these points lie { $px } px apart, and one point has one place in an image. Reject the wrong observation first.
 join = Join
 the-chosen-points-are-one = The chosen points are one: it gets all their observations; where two have one in the same image, that of the point with more rays
 split = Split

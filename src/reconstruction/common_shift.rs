@@ -1,0 +1,87 @@
+//! Whether check points lie apart from the block all together, as heights of another zero have it.
+//!
+//! Each of them may differ within its standard error, while they cannot by chance differ alike: the standard error of what they have in common
+//! follows from their covariances, since errors of the block are common to them.
+
+use super::material::Known;
+use super::mistake::Axis;
+use super::result::{PointSource, ReconstructedModel, SurveyedPoint};
+use super::review::MEDIAN_BY_MEAN;
+use super::warning::BlockWarning;
+use crate::adjustment::{Part, Unknown};
+use crate::math::median;
+use crate::{BlockDescription, ControlRole};
+use std::collections::BTreeMap;
+
+/// So many points, at most, tell it: each column of their covariances is solved for.
+const MOST_POINTS: usize = 60;
+
+/// What some points have in common of their differences from the block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct CommonShift {
+    /// Median of the differences, adjusted minus surveyed, in m: one wrong point among several does not move it.
+    pub difference_m: [f64; 3],
+    /// Its standard errors.
+    pub errors_m: [f64; 3],
+    pub points: usize,
+}
+
+impl CommonShift {
+    /// Of the check points of a model; absent without any, and without statistics. `own`: of the points so many, the first, were given; places of
+    /// an orthophoto are behind them.
+    pub(crate) fn of_checks(model: &ReconstructedModel, description: &BlockDescription, own: usize) -> Option<Self> {
+        let place_of = |source: &PointSource| match source {
+            PointSource::GroundControl(index) if *index < own => Some(description.control[*index].name.as_str()),
+            _ => None,
+        };
+        let named = model.points.iter().enumerate().filter_map(|(place, source)| Some((place_of(source)?, place)));
+        let named: BTreeMap<&str, usize> = named.collect();
+        let check = |point: &'_ SurveyedPoint| {
+            let is_check = point.role == ControlRole::Check && point.standard_errors_m.iter().all(Option::is_some);
+            named.get(point.name.as_str()).copied().filter(|_| is_check)
+        };
+        let all: Vec<(&SurveyedPoint, usize)> = model.surveyed.iter().filter_map(|point| Some((point, check(point)?))).collect();
+        let step = all.len().div_ceil(MOST_POINTS).max(1);
+        let (points, places): (Vec<&SurveyedPoint>, Vec<usize>) = all.into_iter().step_by(step).unzip();
+        let parts: Vec<Part> = places.iter().map(|place| Part::Point(*place)).collect();
+        let (block, accepted) = model.with_support();
+        let covariances = model.adjusted.covariances(&block, &accepted, &parts).ok().filter(|_| !points.is_empty())?;
+        let number = points.len() as f64;
+        // Of the sum of all differences: that of the block's places, and that of each survey by itself.
+        let variance = |k: usize| {
+            let of_axis = |(_, unknown, _): &(usize, Unknown, f64)| *unknown == Unknown::Coordinate(k);
+            let is: Vec<bool> = covariances.unknowns.iter().map(of_axis).collect();
+            let chosen = |values: &[f64]| values.iter().zip(&is).filter(|(_, is)| **is).map(|(value, _)| value).sum::<f64>();
+            let of_block: f64 = covariances.rows.iter().zip(&is).filter(|(_, is)| **is).map(|(row, _)| chosen(row)).sum();
+            let of_survey = points.iter().zip(&places).map(|(point, place)| {
+                let (whole, own) = (point.standard_errors_m[k].unwrap_or(0.0), model.adjusted.points[*place].and_then(|is| is.errors));
+                (whole * whole - own.map_or(0.0, |own| own[k] * own[k])).max(0.0)
+            });
+            of_block + of_survey.sum::<f64>()
+        };
+        let difference = |k: usize| median(&mut points.iter().map(|point| point.difference_m[k]).collect::<Vec<_>>());
+        let [x, y, z] = [0, 1, 2].map(difference);
+        let errors_m = [0, 1, 2].map(|k| MEDIAN_BY_MEAN * variance(k).max(0.0).sqrt() / number);
+        Some(Self { difference_m: [x?, y?, z?], errors_m, points: points.len() })
+    }
+}
+
+/// What the places of an orthophoto share of the standard error of one: as far as that it may be off as a whole.
+pub(crate) const SHARED: f64 = 0.5;
+
+/// Check points that differ alike from the block beyond a limit.
+pub(super) fn of_check_points(model: &ReconstructedModel, known: &Known<'_>) -> Option<BlockWarning> {
+    let Known { description, frame, options } = *known;
+    let own = options.tested_control.unwrap_or(description.control.len());
+    let shift = CommonShift::of_checks(model, description, own)?;
+    let shared = |k: usize| SHARED * median(&mut frame.control[own..].iter().map(|(_, sigma)| sigma[k]).collect::<Vec<_>>()).unwrap_or(0.0);
+    let error = |axis: Axis| libm::hypot(shift.errors_m[axis.index()], shared(axis.index()));
+    let times = |axis: Axis| shift.difference_m[axis.index()].abs() / error(axis);
+    let axis = Axis::ALL.into_iter().max_by(|a, b| times(*a).total_cmp(&times(*b)))?;
+    (times(axis) > options.adjustment.limit()).then(|| BlockWarning::ChecksApart {
+        axis,
+        points: shift.points,
+        difference_m: shift.difference_m[axis.index()],
+        error_m: error(axis),
+    })
+}
