@@ -1521,13 +1521,15 @@ export function check_cameras(text, names) {
 }
 
 /**
- * Refuses ground control points and image measurements that a run of these images would refuse, as far as their names say.
+ * Refuses ground control points and image measurements that a run of these images would refuse, as far as their names say. `on_orthophoto`:
+ * whether one places the block afterwards.
  * @param {string} points
  * @param {string} marks
  * @param {string[]} names
  * @param {GeoreferencingOptions} placing
+ * @param {boolean | null} [on_orthophoto]
  */
-export function check_control(points, marks, names, placing) {
+export function check_control(points, marks, names, placing, on_orthophoto) {
     let ptr0, len0, ptr1, len1, ptr2, len2;
     try {
         ptr0 = passStringToWasm0(points, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
@@ -1542,7 +1544,7 @@ export function check_control(points, marks, names, placing) {
         if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
         throw e;
     }
-    const ret = wasm.check_control(ptr0, len0, ptr1, len1, ptr2, len2, placing);
+    const ret = wasm.check_control(ptr0, len0, ptr1, len1, ptr2, len2, placing, isLikeNone(on_orthophoto) ? 0xFFFFFF : on_orthophoto ? 1 : 0);
     if (ret[1]) {
         throw takeFromExternrefTable0(ret[0]);
     }
@@ -2711,14 +2713,25 @@ export function parse_ground_control_points(text) {
 }
 
 /**
- * Reads where images show surveyed points: lines of image, point, x, y in px.
+ * Reads where images show surveyed points: lines of image, point, x, y in px. `images`: names of images, which stand in the rows where the
+ * table means them, by other capitals, with a folder or without their ending.
  * @param {string} text
+ * @param {string[] | null} [images]
  * @returns {ImageMeasurementRow[]}
  */
-export function parse_image_measurements(text) {
-    const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.parse_image_measurements(ptr0, len0);
+export function parse_image_measurements(text, images) {
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = isLikeNone(images) ? 0 : passArrayJsValueToWasm0(images, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__externref_drop_slice(ptr1, len1); wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+        throw e;
+    }
+    const ret = wasm.parse_image_measurements(ptr0, len0, ptr1, len1);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -3384,8 +3397,8 @@ function __wbg_get_imports() {
             return ret;
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 16, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
-            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 1308, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
+            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h5459b51d709cd917);
             return ret;
         },
         __wbindgen_generic_0000000000000002: function(arg0) {
@@ -3413,8 +3426,8 @@ function __wbg_get_imports() {
     };
 }
 
-function wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052(arg0, arg1, arg2, arg3) {
-    const ret = wasm.wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__h5459b51d709cd917(arg0, arg1, arg2, arg3) {
+    const ret = wasm.wasm_bindgen__convert__closures_____invoke__h5459b51d709cd917(arg0, arg1, arg2, arg3);
     return ret;
 }
 

@@ -9,8 +9,9 @@ use crate::crs::{CoordinateSystem, Geoid, HeightZero};
 use crate::error::refuse;
 use crate::formats::UnreadColumns;
 use crate::{
-    BlockDescription, BlockModel, CameraCaution, Connection, Error, ExifImage, ExifPosition, Failure, FeatureMatch, GroundControlRow,
-    ImageFeatures, ImpossiblePosition, KnownImage, Reconstruction, Refusal, Remark, TiePoints, TwoView, local_from_geographic,
+    BlockDescription, BlockModel, CameraCaution, Connection, ControlRole, Error, ExifImage, ExifPosition, Failure, FeatureMatch,
+    GroundControlRow, ImageFeatures, ImpossiblePosition, KnownImage, Reconstruction, Refusal, Remark, TiePoints, TwoView,
+    local_from_geographic,
 };
 
 /// Positions of an image's features in px.
@@ -236,6 +237,11 @@ pub(super) fn describe_with(
     let least = if has_places || input.on_orthophoto { 0 } else { LEAST_CONTROL };
     let joined = input.control.as_ref().map(|control| control.join(&names, placing, &input.zero, least)).transpose().map_err(named)?;
     let (mut control, unknown_images) = joined.unwrap_or_default();
+    let placing_points = control.iter().filter(|point| point.role == ControlRole::Control && point.measurements.len() >= 2).count();
+    // Too few to place a block by themselves wait as check points for the orthophoto that does.
+    if input.on_orthophoto && !has_places && placing_points < LEAST_CONTROL {
+        control.iter_mut().for_each(|point| point.role = ControlRole::Check);
+    }
     for row in further {
         control.push(control_point(row, row.role.unwrap_or_default(), placing, system.as_ref()).map_err(named)?);
     }

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { check_heights, FinishedBlock } from '../../pkg/node.js';
 import { DATA } from '../../tools/lib/paths.mjs';
-import { begun, contents, killed, photographed, records } from './blocks.js';
+import { begun, contents, killed, marksOf, photographed, records } from './blocks.js';
 import { file, folder, json, tiepoint } from './command.js';
 
 const BLOCK = photographed();
@@ -262,16 +262,7 @@ test('surveyed points place the block', () => {
     [low?.[1], high?.[0], 5],
   ];
   const points = places.map(([x = 0, y = 0, z = 0], i) => ({ name: `P${i}`, at: [x, y, z] }));
-  /** @type {string[]} */
-  const marks = [];
-  for (const { name, at: place } of points) {
-    for (const { name: image, pose } of images) {
-      const d = place.map((v, k) => v - pose.position[k]);
-      const [u = 0, v = 0, w = 0] = pose.rotation.map((/** @type {number[]} */ row) => row.reduce((sum, m, k) => sum + m * (d[k] ?? 0), 0));
-      const [x, y] = [camera.width_px / 2 - (camera.focal_px * u) / w, camera.height_px / 2 + (camera.focal_px * v) / w];
-      if (w < 0 && x > 0 && y > 0 && x < camera.width_px && y < camera.height_px) marks.push([image, name, x, y].join());
-    }
-  }
+  const marks = marksOf(BLOCK.truth.block, points);
   // Straight down, a focal length and a height stand for each other: the camera is known here.
   const known = ['--cameras', file(at, 'cameras.json', JSON.stringify({ cameras: [{ focal_px: camera.focal_px, fixed: true }] }))];
   const control = file(at, 'control.csv', points.map(({ name, at: place }) => [name, ...place].join()).join('\n'));
@@ -297,6 +288,22 @@ test('surveyed points place the block', () => {
   assert.match(
     tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', stranger).stderr,
     /image measurements: got the point P9; allowed: points of the table of control points/,
+  );
+  // Beside GNSS positions the block is placed without them: that is no reason to say nothing.
+  const beside = file(at, 'beside.csv', `name,longitude,latitude,height\nP0,8.0001,50.0001,100\nP1,8.001,50.001,100\n`);
+  const ofTwo = file(
+    at,
+    'of-two.csv',
+    marks
+      .filter((row) => /,P[01],/.test(row))
+      .join('\n')
+      .replaceAll('photo_', 'flight_'),
+  );
+  const lost = tiepoint(...BLOCK.call, '--out', half(), '--crs', 'EPSG:4326', '--geoid-m', '0', '--control', beside, '--marks', ofTwo, '--json');
+  assert.equal(lost.code, 3, lost.stderr);
+  assert.match(
+    JSON.parse(lost.stdout).verdict.text,
+    /No image measurement of the 2 GCPs is in an image of the block\. The table of measurements names flight_00000\.png/,
   );
   const outside = (/** @type {string} */ place) => {
     const seen = [`photo_00000.png,P0,${place}`, ...marks.filter((mark) => !mark.startsWith('photo_00000.png,P0,'))];

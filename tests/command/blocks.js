@@ -15,6 +15,24 @@ export function photographed(...options) {
   return { photos, truthFile: truth, truth: JSON.parse(readFileSync(truth, 'utf8')), call: ['block', photos, '--features', '1200'] };
 }
 
+/**
+ * Where the photos of a truth show places in space, as rows of image, point, x, y: photos face any place, whether it is on the ground or not.
+ * @param {{ images: any[], cameras: any[] }} truth @param {readonly { name: string, at: readonly number[] }[]} points
+ */
+export function marksOf({ images, cameras: [camera] }, points) {
+  /** @type {string[]} */
+  const marks = [];
+  for (const { name, at: place } of points) {
+    for (const { name: image, pose } of images) {
+      const d = place.map((v, k) => v - pose.position[k]);
+      const [u = 0, v = 0, w = 0] = pose.rotation.map((/** @type {number[]} */ row) => row.reduce((sum, m, k) => sum + m * (d[k] ?? 0), 0));
+      const [x, y] = [camera.width_px / 2 - (camera.focal_px * u) / w, camera.height_px / 2 + (camera.focal_px * v) / w];
+      if (w < 0 && x > 0 && y > 0 && x < camera.width_px && y < camera.height_px) marks.push([image, name, x, y].join());
+    }
+  }
+  return marks;
+}
+
 /** All files below a folder with their contents, but for those of one folder.  @param {string} at @param {string} [without] @returns {Map<string, Buffer>} */
 export function contents(at, without = 'work') {
   /** @type {Map<string, Buffer>} */

@@ -4,7 +4,8 @@ import assert from 'node:assert/strict';
 import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { folder, json, tiepoint } from './command.js';
+import { marksOf } from './blocks.js';
+import { file, folder, json, tiepoint } from './command.js';
 
 const FLIGHT = ['--strips', '1', '--exposures', '3', '--width-px', '480', '--height-px', '360', '--pixel-mm', '0.075', '--relief-m', '40'];
 
@@ -56,7 +57,7 @@ test('edits of places hold in the block that is placed by other options, and wha
   writeFileSync(join(edited, 'edits.json'), JSON.stringify(list));
   json('edit', project(out), '--edits', join(edited, 'edits.json'), '--out', join(edited, 'block'));
   const { code, stderr } = tiepoint('edit', project(anew), '--edits', project(join(edited, 'block')), '--out', again);
-  assert.ok(code === 0 || code === 3, stderr);
+  assert.ok(code === 0 || code === 3, `${code} ${stderr} ${stdout}`);
   assert.match(stderr, /what was done to places of the orthophoto holds for 1 that lie there again, and not for 0/);
   const use = (/** @type {string} */ at) => surveyed(at).find(([name]) => name === first) ?? [];
   assert.ok(!use(anew).includes('off') && use(again).includes('off'), `${use(anew)} ${use(again)}`);
@@ -64,6 +65,60 @@ test('edits of places hold in the block that is placed by other options, and wha
   json('block', OWN.photos, '--features', '1500', '--out', join(anew, 'other'));
   const other = tiepoint('edit', project(join(anew, 'other')), '--edits', project(join(edited, 'block')), '--out', join(anew, 'none'));
   assert.ok(other.code !== 0 && /other images, tie points or ground control points/.test(other.stderr), other.stderr);
+});
+
+test('check points alone stand beside an orthophoto; what differs alike from it is told, each point being within its error or not', () => {
+  const at = folder();
+  const positions = OWN.truth.images.map((/** @type {any} */ image) => image.pose.position);
+  const middle = [0, 1].map((k) => positions.reduce((/** @type {number} */ sum, /** @type {number[]} */ position) => sum + (position[k] ?? 0), 0) / 3);
+  const points = Array.from({ length: 9 }, (_, i) => ({
+    name: `P${i}`,
+    at: [(middle[0] ?? 0) + 25 * ((i % 3) - 1), (middle[1] ?? 0) + 25 * (Math.floor(i / 3) - 1), 10 + (i % 4)],
+  }));
+  const marks = file(at, 'marks.csv', marksOf(OWN.truth, points).join('\n'));
+  const call = (/** @type {string} */ use, /** @type {number} */ raised, number = 9) => {
+    const rows = points.slice(0, number).map(({ name, at: [x = 0, y = 0, z = 0] }) => [name, x, y, z + raised, use].join());
+    const seen = file(
+      at,
+      'some.csv',
+      readFileSync(marks, 'utf8')
+        .split('\n')
+        .filter((row) => rows.some((own) => own.startsWith(`${row.split(',')[1]},`)))
+        .join('\n'),
+    );
+    const table = file(at, 'points.csv', `name,x,y,z,use\n${rows.join('\n')}\n`);
+    const { code, stdout, stderr } = tiepoint(
+      ...CALL,
+      ...OWN.ground,
+      '--control',
+      table,
+      '--marks',
+      seen,
+      '--mark-sigma-px',
+      '0.3',
+      '--out',
+      folder(),
+      '--json',
+    );
+    assert.ok(code === 0 || code === 3, `${code} ${stderr} ${stdout}`);
+    return JSON.parse(stdout);
+  };
+  const right = call('check', 0);
+  assert.equal(right.verdict.kind, 'oriented', JSON.stringify(right.verdict));
+  const { rmse_m } = right.orientation.models[0].checks;
+  assert.ok(
+    rmse_m.every((/** @type {number} */ m) => m < 2),
+    JSON.stringify(rmse_m),
+  );
+  assert.equal(call('control', 0, 1).verdict.kind, 'oriented');
+  const raised = call('check', 6);
+  assert.ok(raised.orientation.models[0].checks.ratio < 3.29, JSON.stringify(raised.orientation.models[0].checks));
+  assert.equal(raised.verdict.kind, 'weak');
+  assert.match(raised.verdict.text, /The 9 check points all differ from the block in z, by -[567]\.\d\d ± /);
+  // Control points keep a block off an orthophoto that they contradict.
+  const contradicted = call('control', 6);
+  assert.equal(contradicted.orthophoto.kind, 'not_linked', JSON.stringify(contradicted.orthophoto));
+  assert.match(contradicted.orthophoto.text, /the ground control points contradict it\. .*-[567]\.\d\d m in height/);
 });
 
 test('an orthophoto of elsewhere leaves the block as it was, and the exit code says so', () => {
