@@ -2,7 +2,7 @@
 
 use crate::crs::{CoordinateSystem, Definition, HeightZero, beside_in_utm, middle};
 use crate::error::refuse;
-use crate::formats::StatedUnit;
+use crate::formats::{LENGTHS, StatedUnit};
 use crate::math::{dot3, median, turn};
 use crate::reconstruction::Doubted;
 use crate::{
@@ -57,8 +57,6 @@ pub(super) fn check_near(control: &[GroundControlPoint], gnss: &[[f64; 2]], syst
     refuse(Refusal::ControlElsewhere { point, distance_km, crs, most_km: MOST_KM, swapped, zone, likely })
 }
 
-/// Units of length that tables of control points have, in m.
-const LENGTHS: [(&str, f64); 6] = [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("ft", 0.3048), ("us-ft", 1200.0 / 3937.0), ("km", 1000.0)];
 /// Feet differ by less, and are told apart by nothing.
 const ALIKE: f64 = 1e-5;
 
