@@ -1098,6 +1098,11 @@ refusal-control-elsewhere =
            *[other] هو قريب منها في المنطقة { $zone }
         }
     }
+refusal-control-zone =
+    نقاط الضبط الأرضية: أُعطيت إحداثيات شرقية تبدأ برقم منطقة ({ $zone }، في { $x })، وهي في { $crs } بدونه؛ المسموح: { $code ->
+        [none] {""}
+       *[other] ‏--crs { $code }، أو{" "}
+    }إحداثيات شرقية بدون { $zone } ({ $short })
 refusal-control-unit =
     نقاط الضبط الأرضية: أُعطيت إحداثيات تقع { $near ->
         [true] قرب الصور

@@ -421,6 +421,11 @@ refusal-control-elsewhere =
            *[other] In zone { $zone } it lies near them
         }
     }
+refusal-control-zone =
+    ground control points: got eastings that begin with the number of a zone ({ $zone }, in { $x }), which { $crs } has without it; allowed: { $code ->
+        [none] {""}
+       *[other] --crs { $code }, or{" "}
+    }eastings without the { $zone } ({ $short })
 refusal-control-unit =
     ground control points: got coordinates that lie { $near ->
         [true] near the images

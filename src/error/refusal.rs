@@ -177,6 +177,7 @@ messages! {
         CrsPlace { #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, crs: String, degrees: bool },
         OutsideCrs { #[serde(with = "number")] longitude_deg: f64, #[serde(with = "number")] latitude_deg: f64, crs: String },
         ControlPlace { point: String, #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, crs: String, degrees: bool },
+        ControlZone { x: String, zone: u32, short: String, crs: String, code: Option<String> },
         ControlUnit { given_in: String, own: String, crs: String, near: bool },
         ControlDegrees { point: String, #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, crs: String },
         ControlElsewhere { point: String, #[serde(with = "number")] distance_km: f64, crs: String, #[serde(with = "number")] most_km: f64, swapped: bool, zone: Option<u32>, likely: Option<String> },
