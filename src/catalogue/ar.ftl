@@ -780,6 +780,11 @@ remark-unmeasured-points =
         [0] {""}
        *[other] {" "}و{ $points_more } أخرى
     }
+remark-unknown-points =
+    قياسات صورية لا تشارك لأن نقاطها ليست في جدول نقاط الضبط: { $points }{ $points_more ->
+        [0] {""}
+       *[other] {" "}و{ $points_more } أخرى
+    }
 remark-unknown-columns =
     أعمدة في جدول نقاط الضبط غير مفهومة ولا تُقرأ: { $columns }{ $columns_more ->
         [0] {""}

@@ -1214,6 +1214,11 @@ remark-unmeasured-points =
         [0] {""}
        *[other] {" "}and { $points_more } more
     }
+remark-unknown-points =
+    image measurements of these points take no part, since the table of control points does not have them: { $points }{ $points_more ->
+        [0] {""}
+       *[other] {" "}and { $points_more } more
+    }
 remark-unknown-columns =
     columns of the table of control points are not understood and not read: { $columns }{ $columns_more ->
         [0] {""}
