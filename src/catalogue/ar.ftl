@@ -630,7 +630,7 @@ block-warning-scale =
         [none] المطلوب أمتار.
        *[other] هل هي بوحدة { $unit }؟
     }
-block-warning-degrees = تبدو x وy لنقاط الضبط الأرضي خط طول وعرض: المطلوب إحداثيات بالأمتار لا بالدرجات.
+block-warning-degrees = تبدو x وy لنقاط الضبط الأرضي خط طول وعرض: سمِّ نظامها الإحداثي (--crs EPSG:4326)، أو أعطِ إحداثيات بالأمتار.
 block-warning-point-rejected =
     { $check ->
         [true] لم تُحدَّد نقطة التحقق { $point }

@@ -1068,7 +1068,7 @@ block-warning-scale =
         [none] metres are needed.
        *[other] are they in { $unit }?
     }
-block-warning-degrees = The x and y of the GCPs look like longitude and latitude: coordinates in metres are needed, not degrees.
+block-warning-degrees = The x and y of the GCPs look like longitude and latitude: name their coordinate system (--crs EPSG:4326), or give coordinates in metres.
 block-warning-point-rejected =
     { $check ->
         [true] Check point { $point } is not determined
