@@ -1,7 +1,7 @@
 //! What the columns of a table of control points hold, by their names or by their order.
 
 use super::columns::{LENGTHS, letters, others, without_unit};
-use super::control_order::in_order;
+use super::control_order::errors_in_order;
 use super::control_use::Uses;
 use crate::error::refuse;
 use crate::text::{Headed, Records, shorten};
@@ -260,7 +260,8 @@ impl<'a> Layout<'a> {
         let has_number = |record: &StringRecord, column: usize| record.get(column).is_some_and(|field| records.number(field).is_some());
         let is_in_order = misplaced.is_none() && rows.first().is_none_or(|(_, first)| (1..4).all(|column| has_number(first, column)));
         if is_in_order {
-            return Ok(Self { columns: in_order(records)?, names: None, rows });
+            let columns = Columns { standard_errors: errors_in_order(records)?, ..Columns::default() };
+            return Ok(Self { columns, names: None, rows });
         }
         let shown = misplaced.as_ref().or_else(|| records.likely_head(needed));
         let missing = shown.and_then(|names| needed(names).iter().position(Option::is_none)).unwrap_or(0);

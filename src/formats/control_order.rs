@@ -1,6 +1,5 @@
 //! What the columns of a table of control points hold that nothing names: by their order and their numbers.
 
-use super::control_columns::Columns;
 use crate::error::refuse;
 use crate::text::Records;
 use crate::{Error, Refusal};
@@ -14,11 +13,11 @@ const LEAST_FIGURES: f64 = 10.0;
 const WITH_TWO: usize = 5;
 const WITH_THREE: usize = 6;
 
-/// `name, x, y, z`, with the standard errors of place and height, or of x, y and height behind them, or with a code.
+/// The columns of standard errors behind `name, x, y, z`: of the place, which are one or those of x and y, and of the height; none where a code stands there.
 ///
 /// # Errors
 /// [`Error::InvalidInput`] for more numbers, and for those that may be parts of others with decimal commas.
-pub(super) fn in_order(records: &Records) -> Result<Columns, Error> {
+pub(super) fn errors_in_order(records: &Records) -> Result<Option<([usize; 2], usize)>, Error> {
     let mut most = 0;
     for (line, record) in &records.rows {
         let numbers: Vec<&str> = record.iter().skip(1).take_while(|field| records.number(field).is_some()).collect();
@@ -38,11 +37,10 @@ pub(super) fn in_order(records: &Records) -> Result<Columns, Error> {
         }
         most = most.max(numbers.len());
     }
-    let standard_errors = match most {
+    Ok(match most {
         WITH_THREE => Some(([4, 5], 6)),
         _ => Some(([4, 4], 5)).filter(|_| !has_code(records)),
-    };
-    Ok(Columns { standard_errors, ..Columns::default() })
+    })
 }
 
 /// Whether commas may have cut numbers in two: none has a point.
