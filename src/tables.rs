@@ -2,14 +2,15 @@
 
 use crate::error::refuse;
 use crate::json;
-use crate::text::{Records, Row, records, shorten, table};
+use crate::text::{Headed, Records, Row, records, shorten, table};
 use crate::{CameraMm, Document, Error, Fiducial, Input, ModelPoint, Observation, Refusal};
 use csv::StringRecord;
 
 /// Reads fiducial marks: columns `col`, `row` (px, the centre of the top-left pixel at (0.5, 0.5)), `x_mm`, `y_mm`.
 ///
-/// The first line names the columns, in any order; further columns are ignored. Separated by semicolons, commas or tabs, as the first line
-/// has them; between semicolons or tabs a number may have a decimal comma. Blank lines and lines that begin with `#` are skipped.
+/// The first line, one below a title or a comment directly above the first mark names the columns, in any order, in capitals or not, also as `x (mm)`, and
+/// columns and rows in German, French, Spanish, Italian or Portuguese (`Spalte`, `Zeile`); further columns are ignored. Separated by semicolons, tabs, commas or blanks;
+/// where commas do not separate a number may have a decimal comma. Blank lines and lines that begin with `#` are skipped.
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line and the column.
@@ -65,29 +66,41 @@ fn write_table<const N: usize>(columns: &[&str; N], rows: &[[f64; N]]) -> String
 
 fn read_table<const N: usize>(input: Input, text: &str, columns: [&'static str; N]) -> Result<Vec<[f64; N]>, Error> {
     let records = records(input, text)?;
-    let empty = StringRecord::new();
-    let header = records.rows.first().map_or(&empty, |(_, names)| names);
-    let places = find_columns(input, &records, header, columns)?;
-    records.rows.iter().skip(1).map(|(line, record)| read_row(input, &records, record, columns, places, *line)).collect()
+    let (places, rows) = find_columns(input, &records, columns)?;
+    rows.iter().map(|(line, record)| read_row(input, &records, record, columns, places, *line)).collect()
 }
 
-fn find_columns<const N: usize>(
+/// Columns that have other names, too, in letters alone.
+const WORDS: [(&str, &str); 2] = [("col", "column spalte colonne columna colonna coluna"), ("row", "zeile ligne fila riga linha")];
+
+fn is_named(name: &str, column: &str) -> bool {
+    let letters = |name: &str| name.chars().filter(|sign| sign.is_alphanumeric()).collect::<String>().to_lowercase();
+    let (name, column) = (letters(name), letters(column));
+    let words = || WORDS.iter().filter(|(of, _)| *of == column).flat_map(|(_, words)| words.split(' '));
+    // Columns and rows are in px, whatever is said.
+    name == column || words().chain(words().next().map(|_| column.as_str())).any(|word| name.strip_suffix("px").unwrap_or(&name) == word)
+}
+
+/// Where the columns stand, and the rows that have them.
+fn find_columns<'a, const N: usize>(
     input: Input,
-    records: &Records,
-    header: &StringRecord,
+    records: &'a Records,
     columns: [&'static str; N],
-) -> Result<[usize; N], Error> {
-    let mut places = [0; N];
-    for (place, column) in places.iter_mut().zip(columns) {
-        let mut found = header.iter().enumerate().filter(|(_, name)| *name == column).map(|(index, _)| index);
-        *place = found.next().ok_or_else(|| {
-            Refusal::NoColumn { input, column: column.into(), names: records.shown(header), columns: columns.join(",") }.into_error()
-        })?;
-        if found.next().is_some() {
+) -> Result<([usize; N], &'a [(usize, StringRecord)]), Error> {
+    let find = |names: &StringRecord| columns.map(|column| names.iter().position(|name| is_named(name, column)));
+    let Headed { names, rows, .. } = records.headed(find, &[])?;
+    let shown = names.as_ref().or_else(|| records.likely_head(find));
+    let places = shown.map_or([None; N], find);
+    let mut found = [0; N];
+    for ((found, place), column) in found.iter_mut().zip(places).zip(columns) {
+        let names = || shown.map_or_else(String::new, |names| records.shown(names));
+        *found = place
+            .ok_or_else(|| Refusal::NoColumn { input, column: column.into(), names: names(), columns: columns.join(",") }.into_error())?;
+        if shown.is_some_and(|names| names.iter().filter(|name| is_named(name, column)).count() > 1) {
             return refuse(Refusal::ColumnAgain { input, column: column.into(), columns: columns.join(",") });
         }
     }
-    Ok(places)
+    Ok((found, rows))
 }
 
 fn read_row<const N: usize>(
@@ -127,6 +140,24 @@ mod tests {
     }
 
     #[test]
+    fn columns_are_known_in_other_languages_below_titles_and_behind_comment_signs() {
+        let wanted = [Fiducial { col: 1.5, row: 2.0, x_mm: -103.9, y_mm: 4.0 }];
+        for text in [
+            "Spalte;Zeile;x (mm);y (mm)\n1,5;2;-103,9;4\n",
+            "RMK 1963\nZeile;Spalte (px);X [mm];Y_mm\n2;1,5;-103,9;4\n",
+            "Ligne\tColonne\tx_mm\ty_mm\n2\t1.5\t-103.9\t4\n",
+            "#row,col,x_mm,y_mm\n2,1.5,-103.9,4\n",
+            "col row x_mm y_mm\n1.5 2 -103.9 4\n",
+        ] {
+            assert_eq!(parse_fiducials(text).unwrap(), wanted, "{text}");
+        }
+        // Without their unit coordinates may be in anything.
+        assert!(message("Spalte;Zeile;x;y\n1,5;2;-103,9;4\n").contains("no column x_mm in the first line 'Spalte;Zeile;x;y'"));
+        assert!(message("col,Spalte,row,x_mm,y_mm\n1,1,2,3,4\n").contains("column col twice"));
+        assert!(message("col,row,x_mm,y_mm\n1,5,2,-103,9\n").contains("decimal commas"));
+    }
+
+    #[test]
     fn semicolons_separate_where_the_first_line_has_them() {
         let read = parse_observations("x_left_mm;y_left_mm;x_right_mm;y_right_mm\n1;2;-3;4e-1\n;;;\n1,5;2;3;4\n").unwrap();
         assert_eq!(read, [Observation::new([1.0, 2.0], [-3.0, 0.4]), Observation::new([1.5, 2.0], [3.0, 4.0])]);
@@ -142,7 +173,7 @@ mod tests {
         assert!(message("col,row,x_mm,y_mm\n1,2,3\n").contains("no value for y_mm in line 2"));
         assert!(message("col,row,x_mm,y_mm\n1,NaN,3,4\n").contains("'NaN' for row in line 2"));
         assert!(message("col,row,x_mm,y_mm\n1,inf,3,4\n").contains("'inf' for row"));
-        assert!(message("col,row,x_mm,y_mm\n\"1,5\",2,3,4\n").contains("'1,5' for col in line 2"));
+        assert!(message("col,row,x_mm,y_mm\n\"1,500\",2,3,4\n").contains("'1,500' for col in line 2"));
         assert!(!message(&"\u{1}x".repeat(1000)).contains('\u{1}'));
     }
 

@@ -1,7 +1,12 @@
 //! Text that people and spreadsheets write: its records with their lines, and its pieces in messages.
 
+mod head;
+mod separator;
+
 use crate::{Error, Input, Refusal};
-use csv::{ReaderBuilder, StringRecord, Trim, WriterBuilder};
+use csv::{Reader, ReaderBuilder, StringRecord, Trim, WriterBuilder};
+pub(crate) use head::Headed;
+use separator::{is_clearly_decimal, is_data, of_line};
 #[cfg(not(target_arch = "wasm32"))]
 use std::cmp::Ordering;
 use std::fmt::Display;
@@ -11,16 +16,32 @@ use std::fmt::Display;
 pub(crate) struct Records {
     /// Each with its line, counted from 1.
     pub rows: Vec<(usize, StringRecord)>,
+    /// The comment directly above them, as fields.
+    above: Vec<StringRecord>,
     separator: u8,
+    /// Whether numbers in quotes have decimal commas between commas that separate.
+    has_decimal_commas: bool,
+    input: Input,
 }
 
 impl Records {
     /// A finite number. Where commas do not separate, a lone one is the decimal point, as spreadsheets of many languages write it; one that also has a point
-    /// may be thousands, and is none.
+    /// may be thousands, and is none. In quotes it is where any number of the table shows that: `"1,234"` alone may be thousands.
     pub(crate) fn number(&self, field: &str) -> Option<f64> {
-        let has_decimal_comma = self.separator != b',' && !field.contains('.') && field.matches(',').count() == 1;
+        let may_have = self.separator != b',' || self.has_decimal_commas;
+        let has_decimal_comma = may_have && !field.contains('.') && field.matches(',').count() == 1;
         let number = if has_decimal_comma { field.replace(',', ".").parse() } else { field.parse() };
         number.ok().filter(|number: &f64| number.is_finite())
+    }
+
+    /// Whether commas separate, so that decimal commas would, too.
+    pub(crate) fn has_commas(&self) -> bool {
+        self.separator == b','
+    }
+
+    /// Whether blanks separate.
+    pub(crate) fn has_blanks(&self) -> bool {
+        self.separator == b' '
     }
 
     /// A record as its line has it, for a message.
@@ -30,45 +51,57 @@ impl Records {
     }
 }
 
-/// The records of a text: fields between semicolons, tabs or commas, whichever of them the first record has, in this order. Tabs beside commas only
-/// align what these separate. Blank lines, lines of separators alone as spreadsheets leave them, and lines that begin with `#` are skipped. Text that
-/// [`Row::text`] has guarded reads back as it was.
+/// The records of a text: fields between semicolons, tabs, commas or blanks, whichever of them the first line has, in this order, that has fields enough
+/// for a table. Tabs beside commas only align what these separate. Blank lines, lines of separators alone as spreadsheets leave them, and lines that begin
+/// with `#` are skipped, and so are those with `//` above the first record that hold no numbers. Text that [`Row::text`] has guarded reads back as it was.
 ///
 /// # Errors
 /// [`Error::InvalidInput`] of `input`, where no records can be told.
 pub(crate) fn records(input: Input, text: &str) -> Result<Records, Error> {
     let text = text.trim_start_matches('\u{feff}');
-    let separator = separator_of(text.lines().find(|line| is_data(line)).unwrap_or(""));
-    let mut reader = ReaderBuilder::new()
+    let separator = separator::separator(text);
+    let mut found = Records { rows: Vec::new(), above: Vec::new(), separator, has_decimal_commas: false, input };
+    let mut reader = reader_of(text, separator);
+    let mut lines = Lines { text, place: 0, line: 1 };
+    for record in reader.records() {
+        let record = record.map_err(|error| Refusal::NoRecords { input, words: error.to_string() }.into_error())?;
+        let line = lines.of(&record);
+        let is_comment = found.rows.is_empty()
+            && record.get(0).is_some_and(|first| first.starts_with("//"))
+            && record.iter().all(|field| found.number(field).is_none());
+        let is_empty = record.iter().all(str::is_empty);
+        if !is_comment && !is_empty {
+            let fields = record.iter().filter(|field| separator != b' ' || !field.is_empty());
+            found.rows.push((line, fields.map(unguarded).collect()));
+        }
+    }
+    let clear = |(_, record): &(usize, StringRecord)| record.iter().any(is_clearly_decimal);
+    found.has_decimal_commas = separator == b',' && found.rows.iter().any(clear);
+    found.above = found.rows.first().map_or_else(Vec::new, |(line, _)| above(text, *line, separator));
+    Ok(found)
+}
+
+/// The last comment above a line, as fields between what separates the records and between what it has itself.
+fn above(text: &str, line: usize, separator: u8) -> Vec<StringRecord> {
+    let comment = text.lines().take(line - 1).filter(|line| !line.trim().is_empty()).last();
+    let is_comment = |line: &&str| line.starts_with('#') || line.starts_with("//");
+    let Some(comment) = comment.filter(is_comment).map(|line| line.trim_start_matches(['#', '/', ' ', '\t'])) else { return Vec::new() };
+    let own = Some(of_line(comment)).filter(|own| *own != separator);
+    let fields = |separator: u8| {
+        let record = reader_of(comment, separator).records().next().and_then(Result::ok)?;
+        Some(record.iter().filter(|field| separator != b' ' || !field.is_empty()).collect())
+    };
+    std::iter::once(separator).chain(own).filter_map(fields).collect()
+}
+
+fn reader_of(text: &str, separator: u8) -> Reader<&[u8]> {
+    ReaderBuilder::new()
         .delimiter(separator)
         .comment(Some(b'#'))
         .trim(Trim::All)
         .flexible(true)
         .has_headers(false)
-        .from_reader(text.as_bytes());
-    let mut rows = Vec::new();
-    let mut lines = Lines { text, place: 0, line: 1 };
-    for record in reader.records() {
-        let record = record.map_err(|error| Refusal::NoRecords { input, words: error.to_string() }.into_error())?;
-        let line = lines.of(&record);
-        if record.iter().any(|field| !field.is_empty()) {
-            rows.push((line, record.iter().map(unguarded).collect()));
-        }
-    }
-    Ok(Records { rows, separator })
-}
-
-fn separator_of(first: &str) -> u8 {
-    let mut parts = first.split('\t').map(str::trim).peekable();
-    let mut is_aligned = false;
-    while let (Some(part), Some(next)) = (parts.next(), parts.peek()) {
-        is_aligned |= part.ends_with(',') || next.starts_with(',');
-    }
-    match () {
-        () if first.contains(';') => b';',
-        () if first.contains('\t') && !is_aligned => b'\t',
-        () => b',',
-    }
+        .from_reader(text.as_bytes())
 }
 
 /// The cells of one row of a table.
@@ -137,10 +170,6 @@ pub(crate) fn shorten(text: &str) -> String {
     const LONGEST: usize = 60;
     let printable = text.chars().map(|c| if c.is_control() { ' ' } else { c });
     if text.chars().count() <= LONGEST { printable.collect() } else { printable.take(LONGEST).chain("…".chars()).collect() }
-}
-
-fn is_data(line: &str) -> bool {
-    !line.trim().is_empty() && !line.starts_with('#')
 }
 
 /// Counts lines up to one record after the other; the reader's own position is that of the blank lines and comments before a record.

@@ -26,6 +26,11 @@ test('a table is what its rows are', () => {
   assert.deepEqual(kind('# of a scan\ny_mm;x_mm;row;col;name\n1;2;3;4;a\n'), { kind: 'fiducials' });
   assert.equal(kind('Label,Image,x_px,y_px\nP1,DSC_0001.JPG,100,200\n').kind, 'marks');
   assert.deepEqual(kind('Punkt;Rechtswert;Hochwert;Höhe\nP1;4500000,5;5300000,5;300\n'), { kind: 'control' });
+  // Between blanks, with names in a comment, and fiducial marks in other words.
+  assert.deepEqual(kind('101 428374.069 5316020.123 104.5\n102 428375.069 5316020.123 104.5\n'), { kind: 'control' });
+  assert.equal(kind('a.jpg 101 10.5 20\n').kind, 'marks');
+  assert.deepEqual(kind('#Label,Enable,X/Easting,Y/Northing,Z/Altitude\nP1,1,412630,5316020,104\n'), { kind: 'control' });
+  assert.deepEqual(kind('Spalte;Zeile;x (mm);y (mm)\n1,5;2;-103,9;4\n'), { kind: 'fiducials' });
   // Names without an ending are those of the block.
   assert.equal(kind('A1,a,1,2\n', 'A1').kind, 'marks');
   assert.equal(kind('photo_1,7,1,2\n', 'Photo_1.JPG').kind, 'marks');

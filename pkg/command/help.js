@@ -18,7 +18,7 @@ export function overview(commands) {
     ...commands.map((c) => `  ${c.name.padEnd(13)}${c.summary}`),
     '',
     wrap('With --json a command prints one JSON object in full precision. Pixels: the centre of the top-left pixel is at (0.5, 0.5).', WIDTH),
-    'Exit codes: 0 done, 1 bad data, 2 usage error; of match also 3 done with a weak orientation, 4 done without one.',
+    'Exit codes: 0 done, 1 bad data, 2 usage error; of match, block, edit and place also 3 done with a weak orientation,\n4 done without one.',
   ].join('\n');
 }
 

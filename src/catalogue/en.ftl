@@ -369,21 +369,27 @@ refusal-own-system = GeoJSON: got a block in a system of its own; allowed: a blo
 refusal-name-with-blanks = { $format }: got the image name '{ $name }'; allowed: names without blanks
 refusal-name-of-no-file = { $format }: got the image name '{ $name }'; allowed: names of files in a folder
 refusal-long-name = { $format }: got the image name '{ $name }' of { $bytes } bytes; allowed: names of up to { $most } bytes
-refusal-no-records = { $input }: got { $words }; allowed: lines of fields between commas, semicolons or tabs
+refusal-no-records = { $input }: got { $words }; allowed: lines of fields between semicolons, tabs, commas or blanks
 refusal-no-column = { $input }: got no column { $column } in the first line '{ $names }'; allowed: a first line that names the columns { $columns }
 refusal-column-again = { $input }: got column { $column } twice; allowed: a first line that names the columns { $columns }
 refusal-no-value = { $input }: got no value for { $column } in line { $line }; allowed: finite numbers with a decimal point
 refusal-no-number = { $input }: got '{ $word }' for { $column } in line { $line }; allowed: finite numbers with a decimal point
-refusal-control-column = the table of control points: got neither a column '{ $column }' (or { $known }) nor a point in the first line '{ $names }'; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
+refusal-more-fields = { $input }: got '{ $record }' in line { $line }, with more fields than the { $columns } columns that are named: commas separate them here and are no decimal commas; allowed: decimal points, or columns between semicolons or tabs
+refusal-blank-fields = { $input }: got '{ $record }' in line { $line }, between blanks where the table has { $columns } columns; allowed: as many words in each line, none of them empty, or columns between semicolons, tabs or commas
+refusal-control-column = the table of control points: got neither a column '{ $column }' (or { $known }) nor a point in the first line '{ $names }'; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height, between semicolons, tabs, commas or blanks
 refusal-control-head-unit = the table of control points: got the column '{ $column }' in { $given_in }; allowed: coordinates in { $own }, or in a coordinate system of that unit (--crs)
 refusal-control-error-column = the table of control points: got the column '{ $column }' without the other standard errors; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
+refusal-control-error-unit = the table of control points: got the column '{ $column }', in a unit that is not known; allowed: standard errors in { $units }
+refusal-control-numbers = the table of control points: got { $numbers } numbers behind the name in line { $line } ('{ $record }') and no names of columns; allowed: x, y, z; these and both standard errors, of place and of height; or these and those of x, y and height, each above 0 and up to { $most_m } m. Decimal commas are read between semicolons, tabs or blanks
+refusal-control-decimal-commas = the table of control points: got '{ $record }' in line { $line }, whose commas separate columns, and may be meant as decimal commas; allowed: decimal points, or columns between semicolons, tabs or blanks
 refusal-control-number = the table of control points: got '{ $word }' for { $column } in line { $line }; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-control-name = the table of control points: got the name '{ $name }' in line { $line }, which is empty or comes twice; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-control-errors = the table of control points: got standard errors { $errors } in line { $line }, which are not above 0; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-reserved-name = name of a ground control point: got { $name }; allowed: names that do not begin with { $begins }, as those of places of an orthophoto do
-refusal-control-use = the table of control points: got '{ $word }' as use in line { $line }; it is control, check or off; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
+refusal-control-use = the table of control points: got '{ $word }' as use in line { $line }; it is control (or GCP), check (or check point) or off, and a lone CP may be either of the first two; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-measured-column = the table of image measurements: got no column '{ $column }' (or { $known }) in the first line '{ $names }', which names others elsewhere than in the order of image, point, x, y; allowed: a first line that names all four, or lines of image, point, x, y
 refusal-measured-numbers = the table of image measurements: got '{ $x }', '{ $y }' as place in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
+refusal-measured-decimal-commas = the table of image measurements: got '{ $record }' in line { $line }, whose commas separate columns, and may be meant as decimal commas; allowed: decimal points, or columns between semicolons, tabs or blanks
 refusal-measured-names = the table of image measurements: got no name of image or point in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
 refusal-measured-again = the table of image measurements: got point '{ $point }' in image '{ $image }' again in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
 
@@ -417,6 +423,11 @@ refusal-control-elsewhere =
            *[other] In zone { $zone } it lies near them
         }
     }
+refusal-control-zone =
+    ground control points: got eastings that begin with the number of a zone ({ $zone }, in { $x }), which { $crs } has without it; allowed: { $code ->
+        [none] {""}
+       *[other] --crs { $code }, or{" "}
+    }eastings without the { $zone } ({ $short })
 refusal-control-unit =
     ground control points: got coordinates that lie { $near ->
         [true] near the images
@@ -1088,7 +1099,7 @@ block-warning-scale =
         [none] metres are needed.
        *[other] are they in { $unit }?
     }
-block-warning-degrees = The x and y of the GCPs look like longitude and latitude: coordinates in metres are needed, not degrees.
+block-warning-degrees = The x and y of the GCPs look like longitude and latitude: name their coordinate system (--crs EPSG:4326), or give coordinates in metres.
 block-warning-point-rejected =
     { $check ->
         [true] Check point { $point } is not determined
@@ -1231,6 +1242,11 @@ remark-orthophoto-units = the orthophoto has eastings and northings in units of 
 remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise
 remark-unmeasured-points =
     no image measurement names these control and check points, which take no part: { $points }{ $points_more ->
+        [0] {""}
+       *[other] {" "}and { $points_more } more
+    }
+remark-unknown-points =
+    image measurements of these points take no part, since the table of control points does not have them: { $points }{ $points_more ->
         [0] {""}
        *[other] {" "}and { $points_more } more
     }

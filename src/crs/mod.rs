@@ -24,4 +24,4 @@ pub(crate) use positions::middle;
 pub use positions::{coordinates_in_system, places_of_coordinates};
 pub(crate) use system::CoordinateSystem;
 pub(crate) use vertical::Vertical;
-pub(crate) use zones::beside as beside_in_utm;
+pub(crate) use zones::{beside as beside_in_utm, prefixed_code, zone_of};

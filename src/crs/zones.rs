@@ -28,6 +28,22 @@ pub(crate) fn beside(definition: &Definition, given: [f64; 2]) -> Vec<(u32, [f64
     zones.filter_map(of_zone).collect()
 }
 
+/// The zone of a system of UTM.
+pub(crate) fn zone_of(definition: &Definition) -> Option<u32> {
+    u32::try_from(number(definition.crs().horizontal_crs()?.as_projected()?)?).ok()
+}
+
+/// The code of the system of a zone, on the datum of this one, whose eastings begin with the number of the zone; absent where there is none.
+///
+/// # Source
+/// EPSG registry, ETRS89 / UTM zone 31N to 33N (zE-N); the difference of WGS 84 is below a metre.
+pub(crate) fn prefixed_code(definition: &Definition, zone: u32) -> Option<u16> {
+    let is_alike = definition.plane_epsg().is_some_and(|code| matches!(code, 25828..=25838 | 32601..=32660));
+    PREFIXED.iter().find(|(prefixed, _)| is_alike && *prefixed == zone).map(|(_, code)| *code)
+}
+
+const PREFIXED: [(u32, u16); 3] = [(31, 5649), (32, 4647), (33, 5650)];
+
 /// The number of its zone; absent for other projections.
 fn number(own: &ProjectedCrsDef) -> Option<i32> {
     let ProjectionMethod::TransverseMercator { lon0, lat0, k0, false_easting, false_northing } = own.method() else { return None };

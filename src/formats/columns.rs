@@ -1,5 +1,9 @@
 //! Names of columns in tables of other programs: in capitals or not, with their words joined in many ways and a unit behind them.
 
+/// Units of length that tables have, in m.
+pub(crate) const LENGTHS: [(&str, f64); 6] =
+    [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("ft", 0.3048), ("us-ft", 1200.0 / 3937.0), ("km", 1000.0)];
+
 /// A name in small letters, and the unit behind it as it is written there: `easting` and `ft` of `Easting (ft)`, of `easting [ft]` and of `easting_ft`.
 /// `units`: those that are known, in small letters.
 pub(super) fn without_unit<'a>(name: &str, units: &[&'a str]) -> (String, Option<&'a str>) {

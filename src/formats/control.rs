@@ -1,6 +1,6 @@
 //! Reading surveyed points: control and check points of a block.
 
-use super::control_columns::{Columns, Unit, meanings, named};
+use super::control_columns::{Columns, Layout, Unit, meanings, named};
 use crate::error::refuse;
 use crate::text::{Records, Row, records, shorten, table};
 use crate::{ControlRole, Error, Input, Refusal};
@@ -30,21 +30,20 @@ fn control() -> Option<ControlRole> {
     Some(ControlRole::Control)
 }
 
-/// Reads lines of `name, x, y, z` with or without the standard errors of place and height behind them, between commas, semicolons or tabs.
+/// Reads lines of `name, x, y, z` with or without the standard errors of place and height behind them, between semicolons, tabs, commas or blanks.
 ///
-/// Between semicolons or tabs numbers may have a decimal comma. A first line that names columns may come before them, in any order, in capitals or not: name, x, y, z, standard errors of place and height,
-/// of image measurements in px, and use (`control`, `check` or `off`), each by one of many names, English or German, with `(m)` behind it or not; a run reports those that it
-/// does not read, and refuses coordinates whose name has another unit than their system. Of standard errors of x and y the larger one counts; one without an axis, as `accuracy`, is that of all three. `up` is the height, or its
-/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files; a fifth one without any number is no standard error. Blank lines and lines that begin with `#` are skipped.
+/// Numbers may have a decimal comma where commas do not separate, and in quotes. A line that names columns may come before them, below a title and above a line of units, in any order, in capitals or not: name, x, y, z, standard errors of place and height,
+/// of image measurements in px, and use (`control`, `check` or `off`, or what other programs write for them), each by one of many names in several languages, with `(m)` behind it or not; a run reports those that it
+/// does not read, and refuses coordinates whose name has another unit than their system. Standard errors in another unit are converted to m. A comment directly above rows of numbers is such a line where it names name, x, y and z, as Metashape writes it. Of standard errors of x and y the larger one counts; one without an axis, as `accuracy`, is that of all three. `up` is the height, or its
+/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files, or have the standard errors of x, y and height behind them; a fifth one without any number is no standard error. Blank lines and lines that begin with `#` are skipped.
 ///
 /// # Errors
-/// [`Error::InvalidInput`], naming the line, for numbers that are none, standard errors that are not above 0, and a name that comes twice.
+/// [`Error::InvalidInput`], naming the line, for numbers that are none, standard errors that are not above 0, a name that comes twice, and fields that may be parts of numbers with decimal commas.
 pub fn parse_ground_control_points(text: &str) -> Result<Vec<GroundControlRow>, Error> {
     let records = records(Input::ControlTable, text)?;
-    let (columns, is_named) = Columns::of(&records)?;
+    let Layout { columns, rows, .. } = Layout::of(&records)?;
     let mut names = BTreeSet::new();
-    let rows = records.rows.iter().skip(usize::from(is_named));
-    rows.map(|(line, record)| read_point(&records, record, &columns, *line, &mut names)).collect()
+    rows.iter().map(|(line, record)| read_point(&records, record, &columns, *line, &mut names)).collect()
 }
 
 /// The columns of a table of control points that are not read.
@@ -62,17 +61,21 @@ pub(crate) struct UnreadColumns {
 /// As [`parse_ground_control_points`].
 pub(crate) fn unread_columns(text: &str) -> Result<UnreadColumns, Error> {
     let records = records(Input::ControlTable, text)?;
-    let Some((_, first)) = records.rows.first() else { return Ok(UnreadColumns::default()) };
-    let (columns, is_named) = Columns::of(&records)?;
-    let meanings = if is_named { meanings(first) } else { Vec::new() };
-    let read = columns.read();
-    let width = records.rows.iter().map(|(_, record)| record.len()).max().unwrap_or(0);
+    let Layout { columns, names, rows } = Layout::of(&records)?;
+    let meanings = names.as_ref().map_or_else(Vec::new, meanings);
+    let mut read = columns.read();
+    // A code behind the coordinates is nobody's mistake.
+    if names.is_none() && columns.standard_errors.is_none() {
+        read.insert(4);
+    }
+    let width = rows.iter().map(|(_, record)| record).chain(&names).map(StringRecord::len).max().unwrap_or(0);
+    let named = |column: usize| names.as_ref()?.get(column).filter(|name| !name.is_empty());
     let mut unread = UnreadColumns::default();
     for column in (0..width).filter(|column| !read.contains(column)) {
-        let name = first.get(column).filter(|name| is_named && !name.is_empty());
-        let is_empty = || records.rows.iter().all(|(_, record)| record.get(column).unwrap_or("").is_empty());
+        let name = named(column);
+        let is_empty = || rows.iter().all(|(_, record)| record.get(column).unwrap_or("").is_empty());
         let twin = meanings.get(column).copied().flatten().and_then(|meaning| columns.instead_of(meaning));
-        match (name, twin.and_then(|twin| first.get(twin))) {
+        match (name, twin.and_then(named)) {
             (Some(name), Some(twin)) => unread.doubled.push(format!("{} ({})", shorten(name), shorten(twin))),
             (Some(name), None) => unread.unknown.push(shorten(name)),
             (None, _) if !is_empty() => unread.unknown.push(format!("#{}", column + 1)),
@@ -99,10 +102,9 @@ pub(crate) struct StatedUnit {
 /// As [`parse_ground_control_points`].
 pub(crate) fn stated_units(text: &str) -> Result<Vec<StatedUnit>, Error> {
     let records = records(Input::ControlTable, text)?;
-    let (columns, is_named) = Columns::of(&records)?;
-    let first = records.rows.first().filter(|_| is_named);
+    let Layout { columns, names, .. } = Layout::of(&records)?;
     let named = columns.position.iter().enumerate().filter_map(|(axis, column)| {
-        let column = first?.1.get(*column)?;
+        let column = names.as_ref()?.get(*column)?;
         match named(column).1? {
             Unit::Length(unit) => Some(StatedUnit { column: shorten(column), unit, is_height: axis == 2 }),
             Unit::Degrees => None,
@@ -131,18 +133,17 @@ fn read_point(
     let position = [number(x, "x")?, number(y, "y")?, number(z, "z")?];
     let given = columns.standard_errors.filter(|([x, y], z)| [x, y, z].iter().any(|column| !field(**column).is_empty()));
     let standard_errors = match given {
-        Some(([x, y], z)) => Some([number(x, "sigma_xy")?.max(number(y, "sigma_xy")?), number(z, "sigma_z")?]),
+        Some(([x, y], z)) => {
+            let [unit_x, unit_y, unit_z] = columns.error_units_m;
+            let across = (unit_x * number(x, "sigma_xy")?).max(unit_y * number(y, "sigma_xy")?);
+            Some([across, unit_z * number(z, "sigma_z")?])
+        }
         None => None,
     };
     if let Some(errors) = standard_errors.filter(|errors| !errors.iter().all(|error| *error > 0.0)) {
         return refuse(Refusal::ControlErrors { errors: format!("{errors:?}"), line });
     }
-    let role = match columns.role.map(field).unwrap_or("").to_ascii_lowercase().as_str() {
-        "" | "control" => Some(ControlRole::Control),
-        "check" => Some(ControlRole::Check),
-        "off" => None,
-        other => return refuse(Refusal::ControlUse { word: shorten(other), line }),
-    };
+    let role = columns.uses.read(record, line)?;
     let sigma_px = columns.sigma_px.filter(|column| !field(*column).is_empty()).map(|column| number(column, "sigma_px")).transpose()?;
     if let Some(sigma) = sigma_px.filter(|sigma| !(*sigma > 0.0)) {
         return refuse(Refusal::ControlErrors { errors: sigma.to_string(), line });
@@ -232,8 +233,8 @@ mod tests {
         assert_eq!(read("name,x,y,z,accuracy,sigma_z\nA1,1,2,3,0.04,0.07\n"), Some([0.04, 0.07]));
         assert_eq!(read("name,x,y,z,rms_e,rms_n,rms_z\nA1,1,2,3,0.02,0.05,0.03\n"), Some([0.05, 0.03]));
         assert_eq!(read("name,x,y,z,rmse\nA1,1,2,3,0.02\n"), Some([0.02, 0.02]));
-        // Millimetres are not metres, `h` may be either, and residuals are no standard errors.
-        for unknown in ["sigma_x (mm)", "sigma_h", "X_error", "error"] {
+        // `h` may be either, and residuals are no standard errors.
+        for unknown in ["sigma_h", "X_error", "error"] {
             assert_eq!(unread_columns(&format!("name,x,y,z,{unknown}\nA1,1,2,3,4\n")).unwrap().unknown, [unknown]);
         }
         let unread = unread_columns("name,x,y,z,code,sigma_xy,sigma_z,Kommentar,,\nA1,1,2,3,tp,0.02,0.03,,,5\n").unwrap();
@@ -293,15 +294,13 @@ mod tests {
         assert_eq!(parse_ground_control_points(feet).unwrap()[0].position, [1.0, 2.0, 3.0]);
         assert_eq!(stated_units("name,x,y,z_cm\nA1,1,2,3\n").unwrap(), [unit("z_cm", "cm", true)]);
         assert!(message("name,x,y,z (deg)\nA1,1,2,3\n").contains("neither a column 'z'"));
-        // Errors in another unit are not read.
-        assert_eq!(unread_columns("name,x,y,z,sigma_xy (ft),sigma_z\nA1,1,2,3,4,5\n").unwrap_err().code(), "invalid-input");
     }
 
     #[test]
     fn a_code_behind_the_coordinates_is_no_standard_error() {
         let coded = "GCP 1,5539031.141,428217.609,100.363,TARGET\nGCP 2,5539031.141,428217.609,100.363,\n";
         assert_eq!(parse_ground_control_points(coded).unwrap().iter().map(|point| point.standard_errors).collect::<Vec<_>>(), [None; 2]);
-        assert_eq!(unread_columns(coded).unwrap().unknown, ["#5"]);
+        assert_eq!(unread_columns(coded).unwrap(), UnreadColumns::default());
         // A slip is none.
         assert!(message("A,1,2,3,0.O2,0.03\n").contains("'0.O2' for sigma_xy in line 1"));
         assert!(message("A,1,2,3,x,0.03\nB,1,2,3,0.02,0.03\n").contains("'x' for sigma_xy in line 1"));

@@ -1,8 +1,10 @@
 //! What the columns of a table of control points hold, by their names or by their order.
 
-use super::columns::{letters, others, without_unit};
+use super::columns::{LENGTHS, letters, others, without_unit};
+use super::control_order::errors_in_order;
+use super::control_use::Uses;
 use crate::error::refuse;
-use crate::text::{Records, shorten};
+use crate::text::{Headed, Records, shorten};
 use crate::{Error, Refusal};
 use csv::StringRecord;
 use std::collections::BTreeSet;
@@ -22,38 +24,67 @@ pub(super) enum Column {
     ErrorAll,
     ErrorPx,
     Use,
+    /// What a point is, which may say how it is used.
+    Kind,
+    Enabled,
 }
 
 /// The names of columns in tables of control points, here and in other programs, as [`plain`] writes them. The first of them that a table has is read.
-const NAMES: [(Column, &str); 7] = [
+const NAMES: [(Column, &str); 9] = [
     (
         Column::Name,
         "name label point pointname id pointid gcp gcpname gcpid number pointnumber nr no pointno pointnr pt ptid ptno marker \
-         punkt punktname punktnummer punktnr",
+         punkt punktname punktnummer punktnr bezeichnung matricule n° nº numéro numero número num punto pto nom nombre nome ponto # \
+         النقطة نقطة رقمالنقطة اسمالنقطة الاسم الرقم",
     ),
-    (Column::X, "x e east easting longitude lon rechtswert ost xeasting long xlongitude rechts ostwert eastings"),
-    (Column::Y, "y n north northing latitude lat hochwert nord ynorthing ylatitude hoch nordwert northings"),
+    (
+        Column::X,
+        "x e east easting longitude lon rechtswert ost xeasting long xlongitude rechts ostwert eastings \
+         est este leste longitud longitudine الشرق شرق الشرقيات خطالطول",
+    ),
+    (
+        Column::Y,
+        "y n north northing latitude lat hochwert nord ynorthing ylatitude hoch nordwert northings \
+         norte latitud latitudine الشمال شمال الشماليات خطالعرض",
+    ),
     (
         Column::Z,
         // With the sign for a letter that was not in UTF-8, too.
         "z h height elevation altitude elev höhe alt zaltitude zelevation zheight hoehe h\u{fffd}he orthometricheight ellipsoidalheight \
-         ellipsoidheight ellheight hell up",
+         ellipsoidheight ellheight hell up \
+         cota quota cote hauteur altura altitud altitudine elevación elevacion elevação الارتفاع ارتفاع المنسوب منسوب",
     ),
     (Column::ErrorAcross, "across acch"),
     (Column::ErrorUp, "accv uperror"),
     (Column::Use, "use role"),
+    (Column::Kind, "type typ pointtype punktart"),
+    (Column::Enabled, "enabled enable active"),
 ];
 
 /// The words for a standard error, bare or with an axis before or behind them. `error` is none: other programs call residuals that.
-const ERRORS: [&str; 12] =
-    ["sigma", "accuracy", "acc", "std", "stddev", "stdev", "sd", "rms", "rmse", "precision", "standarderror", "standarddeviation"];
+const ERRORS: [&str; 14] = [
+    "sigma",
+    "accuracy",
+    "acc",
+    "std",
+    "stddev",
+    "stdev",
+    "sd",
+    "rms",
+    "rmse",
+    "precision",
+    "standarderror",
+    "standarddeviation",
+    "genauigkeit",
+    "standardabweichung",
+];
 
 /// The axes of standard errors. `h` is none: it is height in one program, horizontal in the next.
 const AXES: [(Column, &[&str]); 5] = [
-    (Column::ErrorAcross, &["xy", "horizontal", "across", "en"]),
+    (Column::ErrorAcross, &["xy", "horizontal", "horz", "lage", "across", "en"]),
     (Column::ErrorX, &["x", "e", "east", "easting"]),
     (Column::ErrorY, &["y", "n", "north", "northing"]),
-    (Column::ErrorUp, &["z", "vertical", "up", "height", "altitude", "elevation", "elev"]),
+    (Column::ErrorUp, &["z", "vertical", "vert", "u", "höhe", "hoehe", "höhen", "hoehen", "up", "height", "altitude", "elevation", "elev"]),
     (Column::ErrorPx, &["px", "image"]),
 ];
 
@@ -103,21 +134,51 @@ fn plain(name: &str) -> String {
     letters(&named(name).0)
 }
 
-/// What a name says, and how early it stands among the names for that; `None` where it says nothing here, and for standard errors in other units.
+/// What a name of letters says of NAMES, and how early it stands among the names for that.
+fn listed(plain: &str) -> Option<(Column, usize)> {
+    NAMES.iter().find_map(|(column, names)| Some((*column, names.split(' ').position(|known| known == plain)?)))
+}
+
+/// What a name of an axis in a letter and in a word says, as `x (nord)`, `y/rechtswert` or `hochwert (x)`: the word counts, since letters are exchanged in
+/// some countries. `Some(None)`: words that contradict each other.
+fn axis_in_words(joined: &str) -> Option<Option<(Column, usize)>> {
+    let (one, other) = joined.trim_end_matches([')', ']']).split_once(['(', '[', '/', '_', ' '])?;
+    let [one, other] = [one, other].map(|part| letters(part.trim_matches(['(', '[', ')', ']', ' '])));
+    let is_letter = |name: &str| matches!(name, "x" | "y" | "z");
+    let (of_one, of_other) = (listed(&one)?, listed(&other)?);
+    let is_axis = |(column, _): (Column, usize)| matches!(column, Column::X | Column::Y | Column::Z);
+    match (is_axis(of_one) && is_axis(of_other), is_letter(&one), is_letter(&other)) {
+        (false, ..) => None,
+        (true, true, false) => Some(Some(of_other)),
+        (true, false, true) => Some(Some(of_one)),
+        (true, ..) => Some(Some(of_one).filter(|(column, _)| *column == of_other.0)),
+    }
+}
+
+/// What a name says, and how early it stands among the names for that; `None` where it says nothing here, and for standard errors in degrees.
 fn meaning_of(name: &str) -> Option<(Column, usize)> {
     let (joined, unit) = named(name);
     let plain = letters(&joined);
-    let listed = NAMES.iter().find_map(|(column, names)| Some((*column, names.split(' ').position(|known| known == plain)?)));
+    let listed = axis_in_words(&joined).unwrap_or_else(|| listed(&plain));
     match unit {
         None | Some(Unit::Length("m")) => {}
         Some(Unit::Degrees) => return listed.filter(|(column, _)| matches!(column, Column::X | Column::Y)),
-        Some(Unit::Length(_)) => return listed.filter(|(column, _)| matches!(column, Column::X | Column::Y | Column::Z)),
+        Some(Unit::Length(_)) => {
+            let is_length =
+                |column: Column| !matches!(column, Column::Name | Column::ErrorPx | Column::Use | Column::Kind | Column::Enabled);
+            return listed.or_else(|| error_of(&joined, &plain)).filter(|(column, _)| is_length(*column));
+        }
     }
+    listed.or_else(|| error_of(&joined, &plain))
+}
+
+/// What a name of a standard error says.
+fn error_of(joined: &str, plain: &str) -> Option<(Column, usize)> {
     // `rmse` is bare, `rms_e` is of the east.
     let bare = ERRORS.iter().position(|word| *word == joined).map(|rank| (Column::ErrorAll, rank));
     let short = [("sx", Column::ErrorX), ("sy", Column::ErrorY), ("sz", Column::ErrorUp)].into_iter();
     let short = short.filter(|(name, _)| *name == plain).map(|(_, column)| (column, ERRORS.len())).next();
-    listed.or(short).or(bare).or_else(|| {
+    short.or(bare).or_else(|| {
         ERRORS.iter().enumerate().find_map(|(rank, word)| {
             let axis = plain.strip_prefix(word).or_else(|| plain.strip_suffix(word))?;
             let axes = AXES.iter().find(|(_, axes)| axes.contains(&axis)).map(|(column, _)| *column);
@@ -125,6 +186,23 @@ fn meaning_of(name: &str) -> Option<(Column, usize)> {
             column.map(|column| (column, rank))
         })
     })
+}
+
+/// Whether a name is of a standard error in degrees, or in a unit in brackets that is not known.
+fn has_unknown_error_unit(name: &str) -> bool {
+    let (joined, unit) = named(name);
+    let is_length_error = |joined: &str| {
+        let found = error_of(joined, &letters(joined)).or_else(|| listed(&letters(joined)));
+        found.is_some_and(|(column, _)| {
+            matches!(column, Column::ErrorAcross | Column::ErrorX | Column::ErrorY | Column::ErrorUp | Column::ErrorAll)
+        })
+    };
+    match joined.trim_end().strip_suffix([')', ']']).and_then(|inner| inner.rsplit_once(['(', '['])) {
+        Some((bare, inner)) => {
+            unit.is_none() && is_length_error(bare.trim_end()) && AXES.iter().all(|(_, axes)| !axes.contains(&inner.trim()))
+        }
+        None => unit == Some(Unit::Degrees) && is_length_error(&joined),
+    }
 }
 
 /// What each column of a line of names holds. `up` beside another height, where errors of the place but none of the height are named, is that error.
@@ -145,58 +223,90 @@ pub(super) struct Columns {
     pub name: usize,
     pub position: [usize; 3],
     pub standard_errors: Option<([usize; 2], usize)>,
-    pub role: Option<usize>,
+    /// The units of these, in m.
+    pub error_units_m: [f64; 3],
+    pub uses: Uses,
     pub sigma_px: Option<usize>,
 }
 
 impl Default for Columns {
     fn default() -> Self {
-        Self { name: 0, position: [1, 2, 3], standard_errors: Some(([4, 4], 5)), role: None, sigma_px: None }
+        let standard_errors = Some(([4, 4], 5));
+        Self { name: 0, position: [1, 2, 3], standard_errors, error_units_m: [1.0; 3], uses: Uses::default(), sigma_px: None }
     }
 }
 
-impl Columns {
-    /// The columns of a table, and whether its first line names them.
-    pub fn of(records: &Records) -> Result<(Self, bool), Error> {
-        let has_number = |record: &StringRecord, column: usize| record.get(column).is_some_and(|field| records.number(field).is_some());
-        match records.rows.first() {
-            None => Ok((Self::default(), false)),
-            Some((_, first)) if (1..4).all(|column| has_number(first, column)) => {
-                // A word behind the coordinates is a code or a remark.
-                let word = first.get(4).filter(|field| !field.is_empty() && !field.contains(|letter: char| letter.is_ascii_digit()));
-                let has_code = word.is_some() && !records.rows.iter().any(|(_, record)| has_number(record, 4));
-                let columns = Self::default();
-                Ok((if has_code { Self { standard_errors: None, ..columns } } else { columns }, false))
-            }
-            Some((_, first)) => Ok((Self::named_by(records, first)?, true)),
-        }
-    }
+/// The columns of a table, what names them, and its rows.
+pub(super) struct Layout<'a> {
+    pub columns: Columns,
+    pub names: Option<StringRecord>,
+    pub rows: &'a [(usize, StringRecord)],
+}
 
-    /// The columns that a line names.
-    fn named_by(records: &Records, record: &StringRecord) -> Result<Self, Error> {
-        let meanings = meanings(record);
-        let rank = |column: usize| record.get(column).and_then(meaning_of).map_or(usize::MAX, |(_, rank)| rank);
-        let place =
-            |wanted: Column| (0..meanings.len()).filter(|k| meanings[*k] == Some(wanted)).min_by_key(|column| (rank(*column), *column));
-        let needed = |column: Column, name: &str| {
-            let known = NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known);
-            let refusal = || Refusal::ControlColumn { column: name.into(), known: others(known), names: records.shown(record) };
-            place(column).ok_or_else(|| refusal().into_error())
+/// The columns that a table of control points needs, with what they are called here.
+const NEEDED: [(Column, &str); 4] = [(Column::Name, "name"), (Column::X, "x"), (Column::Y, "y"), (Column::Z, "z")];
+
+impl<'a> Layout<'a> {
+    /// The columns of a table by the line that names them, or by their order.
+    pub fn of(records: &'a Records) -> Result<Self, Error> {
+        let needed = |names: &StringRecord| {
+            let meanings = meanings(names);
+            NEEDED.map(|(column, _)| place(names, &meanings, column))
         };
+        let Headed { names, rows, misplaced } = records.headed(needed, &UNITS.map(|(unit, _)| unit))?;
+        if let Some(names) = names {
+            return Ok(Self { columns: Columns::named_by(&names, needed(&names), rows)?, names: Some(names), rows });
+        }
+        let has_number = |record: &StringRecord, column: usize| record.get(column).is_some_and(|field| records.number(field).is_some());
+        let is_in_order = misplaced.is_none() && rows.first().is_none_or(|(_, first)| (1..4).all(|column| has_number(first, column)));
+        if is_in_order {
+            let columns = Columns { standard_errors: errors_in_order(records)?, ..Columns::default() };
+            return Ok(Self { columns, names: None, rows });
+        }
+        let shown = misplaced.as_ref().or_else(|| records.likely_head(needed));
+        let missing = shown.and_then(|names| needed(names).iter().position(Option::is_none)).unwrap_or(0);
+        let (column, name) = NEEDED[missing];
+        let known = NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known);
+        let names = shown.map_or_else(String::new, |names| records.shown(names));
+        refuse(Refusal::ControlColumn { column: name.into(), known: others(known), names })
+    }
+}
+
+/// The column that holds this, of several the one whose name stands first among those for it.
+fn place(names: &StringRecord, meanings: &[Option<Column>], wanted: Column) -> Option<usize> {
+    let rank = |column: usize| names.get(column).and_then(meaning_of).map_or(usize::MAX, |(_, rank)| rank);
+    (0..meanings.len()).filter(|k| meanings[*k] == Some(wanted)).min_by_key(|column| (rank(*column), *column))
+}
+
+impl Columns {
+    /// The columns that a line names. `needed`: those of name, x, y and z, as far as they are there.
+    fn named_by(names: &StringRecord, needed: [Option<usize>; 4], rows: &[(usize, StringRecord)]) -> Result<Self, Error> {
+        let meanings = meanings(names);
+        let place = |wanted: Column| place(names, &meanings, wanted);
+        if let Some(name) = names.iter().find(|name| has_unknown_error_unit(name)) {
+            let units = LENGTHS.map(|(unit, _)| unit).join(", ");
+            return refuse(Refusal::ControlErrorUnit { column: shorten(name), units });
+        }
         let apart = place(Column::ErrorX).zip(place(Column::ErrorY)).map(|(x, y)| [x, y]);
         let of_all = place(Column::ErrorAll);
         let across = place(Column::ErrorAcross).map(|column| [column; 2]).or(apart).or(of_all.map(|column| [column; 2]));
         let standard_errors = across.zip(place(Column::ErrorUp).or(of_all));
         let errors = [Column::ErrorAcross, Column::ErrorX, Column::ErrorY, Column::ErrorUp];
         if let (None, Some(one)) = (standard_errors, errors.into_iter().find_map(place)) {
-            let name = record.get(one).unwrap_or("");
+            let name = names.get(one).unwrap_or("");
             return refuse(Refusal::ControlErrorColumn { column: shorten(name) });
         }
+        let unit_m = |column: usize| match names.get(column).and_then(|name| named(name).1) {
+            Some(Unit::Length(unit)) => LENGTHS.iter().find(|(known, _)| *known == unit).map_or(1.0, |(_, length_m)| *length_m),
+            Some(Unit::Degrees) | None => 1.0,
+        };
+        let [name, x, y, z] = needed.map(|column| column.unwrap_or(0));
         Ok(Self {
-            name: needed(Column::Name, "name")?,
-            position: [needed(Column::X, "x")?, needed(Column::Y, "y")?, needed(Column::Z, "z")?],
+            name,
+            position: [x, y, z],
             standard_errors,
-            role: place(Column::Use),
+            error_units_m: standard_errors.map_or([1.0; 3], |([x, y], z)| [x, y, z].map(unit_m)),
+            uses: Uses::of(rows, place(Column::Use), place(Column::Kind), place(Column::Enabled)),
             sigma_px: place(Column::ErrorPx),
         })
     }
@@ -204,7 +314,8 @@ impl Columns {
     /// The columns that are read.
     pub fn read(&self) -> BTreeSet<usize> {
         let errors = self.standard_errors.into_iter().flat_map(|([x, y], z)| [x, y, z]);
-        self.position.into_iter().chain([self.name]).chain(errors).chain(self.role).chain(self.sigma_px).collect()
+        let uses = [self.uses.role, self.uses.enabled, self.sigma_px].into_iter().flatten();
+        self.position.into_iter().chain([self.name]).chain(errors).chain(uses).collect()
     }
 
     /// The column that is read where another one holds this too.
@@ -218,7 +329,10 @@ impl Columns {
             Column::ErrorY => self.standard_errors.map(|([_, y], _)| y),
             Column::ErrorUp => self.standard_errors.map(|(_, z)| z),
             Column::ErrorPx => self.sigma_px,
-            Column::Use => self.role,
+            Column::Use => self.uses.role,
+            Column::Enabled => self.uses.enabled,
+            // It may say something else.
+            Column::Kind => None,
         }
     }
 }

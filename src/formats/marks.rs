@@ -2,7 +2,7 @@
 
 use super::columns::{letters, others, without_unit};
 use crate::error::refuse;
-use crate::text::{Records, Row, records, shorten, table};
+use crate::text::{Headed, Records, Row, records, shorten, table};
 use crate::{Error, Input, Refusal};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
@@ -21,13 +21,14 @@ pub struct ImageMeasurementRow {
     pub y_px: f64,
 }
 
-/// Reads marks: lines of image, point, x, y in px, between commas, semicolons or tabs; between the latter two numbers may have a decimal comma. A first line
-/// of column names, without figures where places stand, may come before them: where it names image, point, x (or column) and y (or row), each by one of
-/// many names, with `[px]` behind it or not, these stand as it says, among others or not. Blank lines are skipped, and so are those that begin with `#`.
+/// Reads marks: lines of image, point, x, y in px, between semicolons, tabs, commas or blanks; numbers may have a decimal comma where commas do not separate.
+/// A first line of column names, without figures where places stand, may come before them, below a title and above a line of units: where it names image,
+/// point, x (or column) and y (or row), each by one of many names, with `[px]` behind it or not, these stand as it says, among others or not. So does a
+/// comment directly above the first measurement. Blank lines are skipped, and so are those that begin with `#`.
 ///
 /// # Errors
-/// [`Error::InvalidInput`], naming the line: for a name that is missing, a number that is none, and a point twice in an image; for a first line that
-/// names some columns elsewhere than in that order and not all.
+/// [`Error::InvalidInput`], naming the line: for a name that is missing, a number that is none, and a point twice in an image; for a first line or a
+/// comment above it that names some columns elsewhere than in that order and not all; for fields that may be parts of numbers with decimal commas.
 ///
 /// # Source
 /// The columns of the table of marks of Pix4D.
@@ -35,9 +36,8 @@ pub fn parse_image_measurements(text: &str) -> Result<Vec<ImageMeasurementRow>, 
     let mut seen = BTreeSet::new();
     let mut marks = Vec::new();
     let records = records(Input::MarkTable, text)?;
-    let named = records.rows.first().map(|(_, first)| columns_of(&records, first)).transpose()?.flatten();
-    let [of_image, of_point, of_x, of_y] = named.unwrap_or(IN_ORDER);
-    for (line, record) in records.rows.iter().skip(usize::from(named.is_some())) {
+    let ([of_image, of_point, of_x, of_y], rows) = columns_of(&records)?;
+    for (line, record) in rows {
         let (field, line) = (|column: usize| record.get(column).unwrap_or(""), *line);
         let (image, point) = (field(of_image).to_string(), field(of_point).to_string());
         let (Some(x_px), Some(y_px)) = (records.number(field(of_x)), records.number(field(of_y))) else {
@@ -59,34 +59,60 @@ const IN_ORDER: [usize; 4] = [0, 1, 2, 3];
 
 /// The names of these columns here and in other programs, in letters alone. The first of them that a table has is read.
 const NAMES: [&str; 4] = [
-    "image photo picture filename imagename file photoname imagefile imagelabel img bild bildname foto",
+    "image photo picture filename imagename file photoname imagefile imagelabel img bild bildname foto imagen immagine imagem الصورة صورة",
     "point label marker name gcp id pointname pointid gcpname gcpid gcplabel markername pointnumber pointno target nr punkt punktname \
-     punktnummer punktnr",
-    "x col column u px pixelx xpixel imagex ximage sample samp spalte",
-    "y row line v py pixely ypixel imagey yimage zeile",
+     punktnummer punktnr matricule punto ponto النقطة نقطة",
+    "x col column u px pixelx xpixel imagex ximage sample samp spalte colonne columna colonna coluna العمود",
+    "y row line v py pixely ypixel imagey yimage zeile ligne fila riga linha السطر الصف",
 ];
 
-/// Where a first line says that image, point, x and y stand; none where it has a measurement.
-fn columns_of(records: &Records, first: &StringRecord) -> Result<Option<[usize; 4]>, Error> {
-    let letters: Vec<String> = first.iter().map(|name| letters(&without_unit(name, &["px", "pix", "pixel", "pixels"]).0)).collect();
-    let find = |names: &str| names.split(' ').find_map(|name| letters.iter().position(|column| column == name));
-    let found = NAMES.map(find);
-    if let [Some(image), Some(point), Some(x), Some(y)] = found {
-        return Ok(Some([image, point, x, y]));
+const UNITS: [&str; 4] = ["px", "pix", "pixel", "pixels"];
+
+/// Where a line of names says that image, point, x and y stand.
+fn find(names: &StringRecord) -> [Option<usize>; 4] {
+    let letters: Vec<String> = names.iter().map(|name| letters(&without_unit(name, &UNITS).0)).collect();
+    NAMES.map(|names| names.split(' ').find_map(|name| letters.iter().position(|column| column == name)))
+}
+
+/// Where image, point, x and y stand, and the rows that have them.
+fn columns_of(records: &Records) -> Result<([usize; 4], &[(usize, StringRecord)]), Error> {
+    let Headed { names, rows, misplaced } = records.headed(find, &UNITS)?;
+    if let Some([Some(image), Some(point), Some(x), Some(y)]) = names.as_ref().map(find) {
+        return Ok(([image, point, x, y], rows));
     }
+    let missing = |names: &StringRecord| {
+        let missing = find(names).iter().position(Option::is_none).unwrap_or(0);
+        let column = NAMES[missing].split(' ').next().unwrap_or("").into();
+        refuse(Refusal::MeasuredColumn { column, known: others(NAMES[missing]), names: records.shown(names) })
+    };
+    if let Some(names) = &misplaced {
+        return missing(names);
+    }
+    let Some((_, first)) = rows.first() else { return Ok((IN_ORDER, rows)) };
     // Images and points may have names of columns; a number with a slip is no name.
     let is_word = |column: usize| first.get(column).is_some_and(|field| !field.is_empty() && !field.contains(|c: char| c.is_ascii_digit()));
     if ![2, 3].into_iter().all(is_word) {
-        return Ok(None);
+        check_fields(records)?;
+        return Ok((IN_ORDER, rows));
     }
-    let is_in_order = found.iter().zip(IN_ORDER).all(|(found, place)| found.is_none_or(|column| column == place));
-    match found.iter().position(Option::is_none).filter(|_| !is_in_order) {
-        Some(missing) => {
-            let column = NAMES[missing].split(' ').next().unwrap_or("").into();
-            refuse(Refusal::MeasuredColumn { column, known: others(NAMES[missing]), names: records.shown(first) })
+    let is_in_order = find(first).iter().zip(IN_ORDER).all(|(found, place)| found.is_none_or(|column| column == place));
+    if is_in_order { Ok((IN_ORDER, &rows[1..])) } else { missing(first) }
+}
+
+/// Refuses rows without names whose commas may be decimal commas, with more than two whole numbers behind image and point; and more words between blanks,
+/// which names may have.
+fn check_fields(records: &Records) -> Result<(), Error> {
+    for (line, record) in &records.rows {
+        let (line, shown) = (*line, || records.shown(record));
+        if records.has_blanks() && record.len() != IN_ORDER.len() {
+            return refuse(Refusal::BlankFields { input: Input::MarkTable, record: shown(), line, columns: IN_ORDER.len() });
         }
-        None => Ok(Some(IN_ORDER)),
+        let numbers: Vec<&str> = record.iter().skip(2).take_while(|field| records.number(field).is_some()).collect();
+        if records.has_commas() && numbers.len() > 2 && numbers.iter().all(|field| !field.contains(['.', ','])) {
+            return refuse(Refusal::MeasuredDecimalCommas { record: shown(), line });
+        }
     }
+    Ok(())
 }
 
 /// The table of some measurements, which reads back as they are.
@@ -101,7 +127,7 @@ mod tests {
 
     #[test]
     fn marks_are_read_with_and_without_column_names() {
-        let with = parse_image_measurements("image,point,x,y\na.jpg,P1,10.5,20\n\n# none\nb.jpg, P1 ,1,2,0.5\n").unwrap();
+        let with = parse_image_measurements("image,point,x,y,weight\na.jpg,P1,10.5,20\n\n# none\nb.jpg, P1 ,1,2,0.5\n").unwrap();
         assert_eq!(with.len(), 2);
         assert_eq!(with[1], ImageMeasurementRow { image: "b.jpg".into(), point: "P1".into(), x_px: 1.0, y_px: 2.0 });
         assert_eq!(parse_image_measurements("a.jpg;P1;10.5;20").unwrap(), with[..1]);

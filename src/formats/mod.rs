@@ -13,6 +13,10 @@ mod colmap_write;
 mod columns;
 mod control;
 mod control_columns;
+#[cfg(test)]
+mod control_forms;
+mod control_order;
+mod control_use;
 mod csv_tables;
 mod export;
 mod geojson;
@@ -31,6 +35,7 @@ mod text;
 pub use cameras::{CameraRule, parse_camera_rules};
 pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 pub use colmap_read::read_colmap_model;
+pub(crate) use columns::LENGTHS;
 pub use control::{GroundControlRow, parse_ground_control_points};
 pub(crate) use control::{StatedUnit, UnreadColumns, ground_control_table, stated_units, unread_columns};
 pub(crate) use csv_tables::{images_table, points_table, rays_table};

@@ -51,6 +51,14 @@ const USER_DEFINED: u16 = 32767;
 /// Units of length by their codes, in m: the metre, the international foot, the foot of the US survey.
 const UNITS: [(u16, f64); 3] = [(9001, 1.0), (9002, 0.3048), (9003, 1200.0 / 3937.0)];
 
+/// The code of a unit of length other than the metre, which files have without saying so; absent where it has none here.
+pub(crate) fn unit_code(unit_m: f64) -> Option<u16> {
+    UNITS[1..].iter().find(|(_, own_m)| (own_m - unit_m).abs() < UNIT_DIGITS).map(|(code, _)| *code)
+}
+
+/// Units that differ by less are one, written with fewer digits.
+const UNIT_DIGITS: f64 = 1e-9;
+
 /// What a TIFF says of its place.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct GeoTags {

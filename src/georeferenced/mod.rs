@@ -10,8 +10,8 @@ mod sidecars;
 pub(crate) use geoid_file::{Area, part_of_geoid};
 pub use georeference::Georeference;
 pub(crate) use geotiff::{
-    GeoTags, KEYS, MODEL_TYPE, NO_DATA, PIXEL_SCALE, PROJECTED, PROJECTED_SYSTEM, RASTER_TYPE, SaidSystem, TIE_POINTS, TRANSFORMATION,
-    name_of, refuse_degrees,
+    GeoTags, KEYS, LINEAR_UNIT, MODEL_TYPE, NO_DATA, PIXEL_SCALE, PROJECTED, PROJECTED_SYSTEM, RASTER_TYPE, SaidSystem, TIE_POINTS,
+    TRANSFORMATION, name_of, refuse_degrees, unit_code,
 };
 pub(crate) use samples::{MOST_VALUES, Numbers};
 pub use sidecars::Sidecars;

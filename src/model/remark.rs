@@ -27,6 +27,8 @@ messages! {
         DoubledColumns { columns: Vec<String> },
         /// Control and check points that no image measurement names.
         UnmeasuredPoints { points: Vec<String> },
+        /// Points of image measurements that the table of control points does not have.
+        UnknownPoints { points: Vec<String> },
         /// The project file keeps only the points that were given: edits are adjusted by these alone.
         UnsupportedEdits,
         /// The coordinate reference system of tables; the operation from it to WGS 84 with its accuracy, where the registry has one; how much higher GNSS

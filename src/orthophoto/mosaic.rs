@@ -38,6 +38,8 @@ pub struct Mosaic {
     /// The way into the system in which images are oriented, where the map is another one.
     nodes: Option<MapNodes>,
     epsg: Option<u16>,
+    /// The unit of the map in m.
+    unit_m: Option<f64>,
     /// What is to be said of the heights.
     remark: Option<Remark>,
     georeference: Georeference,
@@ -131,7 +133,7 @@ impl Mosaic {
         // Borders are taken on coarse ground.
         let mosaic = Self::of(images, heights, gsd, MOST_PIXELS, MARGIN_PX)?;
         let nodes = MapNodes::new(&map, mosaic.georeference, mosaic.size, mosaic.heights.range());
-        Ok(Self { nodes: Some(nodes), epsg, remark, ..mosaic })
+        Ok(Self { nodes: Some(nodes), epsg, unit_m: Some(map.unit_m), remark, ..mosaic })
     }
 
     /// The same of a block in the system of its adjustment, as it is laid under its map: of 100 MP at most.
@@ -184,7 +186,7 @@ impl Mosaic {
             .iter_mut()
             .zip(reaches)
             .for_each(|(image, reach)| image.iter_mut().zip(reach).for_each(|(image, reach)| image.reach = reach));
-        Ok(Self { images, heights, nodes: None, epsg: None, remark: None, georeference, size, tiles: None })
+        Ok(Self { images, heights, nodes: None, epsg: None, unit_m: None, remark: None, georeference, size, tiles: None })
     }
 
     /// The indices of the oriented images, in an order in which few tiles wait: along the longer side of the mosaic.
@@ -231,7 +233,7 @@ impl Mosaic {
             Some(tiles) => tiles,
             none => {
                 let samples = Samples::Bytes(image.images().len());
-                let file = TiledFile::begin(self.size, samples, self.georeference, self.epsg, out)?;
+                let file = TiledFile::begin(self.size, samples, self.georeference, self.epsg, self.unit_m, out)?;
                 none.insert(MosaicTiles::new(file, samples, self.images.iter().flatten().map(|image| &image.reach)))
             }
         };

@@ -153,7 +153,7 @@ mod tests {
         let most = most_waiting(&reaches, size) / (TILE * TILE * BYTES);
         assert!((6..=8).contains(&most), "{most} tiles");
         let mut out = Cursor::new(Vec::new());
-        let file = TiledFile::begin(size, Samples::Bytes(1), Georeference::north_up([0.0, 0.0], 1.0), None, &mut out).unwrap();
+        let file = TiledFile::begin(size, Samples::Bytes(1), Georeference::north_up([0.0, 0.0], 1.0), None, None, &mut out).unwrap();
         let mut tiles = MosaicTiles::new(file, Samples::Bytes(1), reaches.iter().flatten());
         let mut length = out.get_ref().len();
         for reach in reaches.iter().rev().flatten() {

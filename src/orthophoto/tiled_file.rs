@@ -2,7 +2,9 @@
 //! a large one is looked at as a whole without all of it being read.
 
 use crate::Georeference;
-use crate::georeferenced::{KEYS, MODEL_TYPE, NO_DATA, PIXEL_SCALE, PROJECTED, PROJECTED_SYSTEM, RASTER_TYPE, TIE_POINTS, TRANSFORMATION};
+use crate::georeferenced::{
+    KEYS, LINEAR_UNIT, MODEL_TYPE, NO_DATA, PIXEL_SCALE, PROJECTED, PROJECTED_SYSTEM, RASTER_TYPE, TIE_POINTS, TRANSFORMATION, unit_code,
+};
 use crate::{Document, Error};
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
@@ -58,6 +60,7 @@ pub(super) struct TiledFile {
     samples: Samples,
     georeference: Georeference,
     epsg: Option<u16>,
+    unit_m: Option<f64>,
     is_big: bool,
     /// The picture, and the same halved once, twice and so on until it is one tile.
     levels: Vec<Level>,
@@ -93,7 +96,7 @@ enum Field {
 }
 
 impl TiledFile {
-    /// Begins a file of a picture of this size. `epsg`: the code of its system, where that is known.
+    /// Begins a file of a picture of this size. `epsg`: the code of its system, where that is known; `unit_m`: the unit of eastings and northings in m.
     ///
     /// # Errors
     /// [`Error::NotWritten`], as of all that follows.
@@ -102,6 +105,7 @@ impl TiledFile {
         samples: Samples,
         georeference: Georeference,
         epsg: Option<u16>,
+        unit_m: Option<f64>,
         out: &mut impl Write,
     ) -> Result<Self, Error> {
         let side = size[0].max(size[1]).next_multiple_of(16).min(TILE);
@@ -111,7 +115,7 @@ impl TiledFile {
             _ => None,
         };
         let levels = std::iter::successors(Some(size), next).map(|size| Level::new(size, side)).collect();
-        let mut file = Self { side, samples, georeference, epsg, is_big, levels, length: 0 };
+        let mut file = Self { side, samples, georeference, epsg, unit_m, is_big, levels, length: 0 };
         let head = file.head(0);
         file.append(&head, out)?;
         Ok(file)
@@ -311,6 +315,7 @@ impl TiledFile {
         }
         let mut keys: Vec<[u16; 4]> = vec![[MODEL_TYPE, 0, 1, PROJECTED], [RASTER_TYPE, 0, 1, PIXEL_IS_AREA]];
         keys.extend(self.epsg.map(|code| [PROJECTED_SYSTEM, 0, 1, code]));
+        keys.extend(self.unit_m.and_then(unit_code).map(|code| [LINEAR_UNIT, 0, 1, code]));
         let head = [1, 1, 0, keys.len() as u16];
         fields.push((KEYS, Field::Shorts([&[head], keys.as_slice()].concat().concat())));
         fields.push((NO_DATA, Field::Text(no_data)));
@@ -343,11 +348,24 @@ mod tests {
     use std::io::Cursor;
 
     #[test]
+    fn a_file_in_feet_says_so() {
+        let georeference = Georeference::north_up([1_404_913.0, 18_172_674.0], 3.0);
+        for (unit_m, wanted) in [(1200.0 / 3937.0, Some(1200.0 / 3937.0)), (0.3048, Some(0.3048)), (1.0, None)] {
+            let mut out = Cursor::new(Vec::new());
+            let mut file = TiledFile::begin([16, 16], Samples::Bytes(1), georeference, None, Some(unit_m), &mut out).unwrap();
+            file.write(0, vec![7; 256], &mut out).unwrap();
+            file.finish(&mut out).unwrap();
+            let tags = crate::georeferenced::GeoTags::read(&out.into_inner()[..]).unwrap();
+            assert_eq!(tags.system.unit_m, wanted, "{unit_m}");
+        }
+    }
+
+    #[test]
     fn tiles_come_in_any_order_and_those_that_do_not_come_show_nothing() {
         let georeference = Georeference::north_up([355_000.5, 5_800_000.25], 0.2);
         for is_big in [false, true] {
             let mut out = Cursor::new(Vec::new());
-            let mut file = TiledFile::begin([1_300, 700], Samples::Bytes(3), georeference, Some(25_833), &mut out).unwrap();
+            let mut file = TiledFile::begin([1_300, 700], Samples::Bytes(3), georeference, Some(25_833), None, &mut out).unwrap();
             if is_big {
                 (out, file.is_big, file.length) = (Cursor::new(Vec::new()), true, 0);
                 let head = file.head(0);

@@ -23,7 +23,7 @@ pub fn write_geotiff(rectified: &Rectified, epsg: Option<u16>) -> Result<Vec<u8>
             bytes.iter_mut().zip(&bands).for_each(|(byte, band)| *byte = band[k].max(1));
         }
     };
-    written([mask.width(), mask.height()], Samples::Bytes(bands.len()), georeference, epsg, of_pixel)
+    written([mask.width(), mask.height()], Samples::Bytes(bands.len()), georeference, (epsg, None), of_pixel)
 }
 
 /// Writes a model of heights as GeoTIFF of floating-point numbers, in tiles, Deflate; NaN stands for nothing.
@@ -32,15 +32,21 @@ pub fn write_geotiff(rectified: &Rectified, epsg: Option<u16>) -> Result<Vec<u8>
 /// As [`write_geotiff`].
 pub fn write_heights(model: &HeightModel, epsg: Option<u16>) -> Result<Vec<u8>, Error> {
     let (size, values) = model.raster();
-    write_floats(size, &values, &model.georeference, epsg)
+    write_floats(size, &values, &model.georeference, epsg, None)
 }
 
-/// Writes numbers of a grid on the ground as GeoTIFF of floating-point numbers, in tiles, Deflate; NaN stands for nothing. `epsg`: the code of its system.
+/// Writes numbers of a grid on the ground as GeoTIFF of floating-point numbers, in tiles, Deflate; NaN stands for nothing. `epsg`: the code of its system; `unit_m`: its unit.
 ///
 /// # Errors
 /// As [`write_geotiff`].
-pub(crate) fn write_floats(size: [usize; 2], values: &[f32], georeference: &Georeference, epsg: Option<u16>) -> Result<Vec<u8>, Error> {
-    written(size, Samples::Float, georeference, epsg, |k, bytes| bytes.copy_from_slice(&values[k].to_le_bytes()))
+pub(crate) fn write_floats(
+    size: [usize; 2],
+    values: &[f32],
+    georeference: &Georeference,
+    epsg: Option<u16>,
+    unit_m: Option<f64>,
+) -> Result<Vec<u8>, Error> {
+    written(size, Samples::Float, georeference, (epsg, unit_m), |k, bytes| bytes.copy_from_slice(&values[k].to_le_bytes()))
 }
 
 /// `of_pixel` puts the samples of a pixel, counted row by row, into bytes that are 0.
@@ -48,11 +54,11 @@ fn written(
     size: [usize; 2],
     samples: Samples,
     georeference: &Georeference,
-    epsg: Option<u16>,
+    (epsg, unit_m): (Option<u16>, Option<f64>),
     of_pixel: impl Fn(usize, &mut [u8]),
 ) -> Result<Vec<u8>, Error> {
     let mut out = Cursor::new(Vec::new());
-    let mut file = TiledFile::begin(size, samples, *georeference, epsg, &mut out)?;
+    let mut file = TiledFile::begin(size, samples, *georeference, epsg, unit_m, &mut out)?;
     let (side, bytes) = (file.side(), samples.bytes());
     for index in 0..file.number() {
         let [left, top] = file.corner(index);
@@ -128,7 +134,7 @@ mod tests {
     fn numbers_of_tiles_are_read_one_by_one_to_the_edges() {
         let [width, height] = [600, 530];
         let values: Vec<f32> = (0..width * height).map(|k| if k % 101 == 0 { f32::NAN } else { k as f32 }).collect();
-        let file = write_floats([width, height], &values, &Georeference::north_up([10.0, 20.0], 5.0), None).unwrap();
+        let file = write_floats([width, height], &values, &Georeference::north_up([10.0, 20.0], 5.0), None, None).unwrap();
         let numbers = Numbers::open(&file).unwrap();
         for (column, row) in [(0, 0), (599, 0), (255, 255), (256, 256), (511, 529), (512, 529), (599, 529), (3, 528)] {
             let value = numbers.at(column, row).unwrap();

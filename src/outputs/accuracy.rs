@@ -36,6 +36,8 @@ pub struct AccuracyMap {
     pub georeference: Georeference,
     /// The code of its system, where that is known.
     pub epsg: Option<u16>,
+    /// The unit of its coordinates in m, where it has a system.
+    pub unit_m: Option<f64>,
     pub width: usize,
     pub height: usize,
     /// Standard error of an image coordinate of the points that would be measured, in px.
@@ -115,7 +117,8 @@ pub fn accuracy_map(run: &BlockRun, cell: Option<f64>, sigma_px: Option<f64>) ->
             None => Expected { ground: f64::NAN, images: 0, plan: f64::NAN, height: f64::NAN },
         }
     });
-    Ok(AccuracyMap { georeference, epsg: epsg_of(run, map.as_ref()), width, height, sigma_px, cells: cells.collect() })
+    let unit_m = map.as_ref().map(|map| map.unit_m);
+    Ok(AccuracyMap { georeference, epsg: epsg_of(run, map.as_ref()), unit_m, width, height, sigma_px, cells: cells.collect() })
 }
 
 impl AccuracyMap {
@@ -126,7 +129,7 @@ impl AccuracyMap {
     pub fn rasters(&self) -> Result<[Vec<u8>; 3], Error> {
         let raster = |value: fn(&Expected) -> f64| {
             let values: Vec<f32> = self.cells.iter().map(|cell| value(cell) as f32).collect();
-            write_floats([self.width, self.height], &values, &self.georeference, self.epsg)
+            write_floats([self.width, self.height], &values, &self.georeference, self.epsg, self.unit_m)
         };
         Ok([raster(|cell| cell.plan)?, raster(|cell| cell.height)?, raster(|cell| cell.images as f64)?])
     }

@@ -44,7 +44,7 @@ impl ControlTables {
     /// `on_orthophoto`: one places the block afterwards.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] for a measurement of an unknown point, where fewer than three points are measured in two images or more, and for points
+    /// [`Error::InvalidInput`] where all measurements are of unknown points, where fewer than three points are measured in two images or more, and for points
     /// outside their coordinate system; as [`BlockDescription::check`].
     pub fn check(&self, images: &[String], placing: &GeoreferencingOptions, on_orthophoto: bool) -> Result<(), Error> {
         let named: BTreeSet<&String> = self.marks.iter().map(|mark| &mark.image).collect();
@@ -87,9 +87,8 @@ impl ControlTables {
         let named = NamedImages::new(images);
         let mut unknown = BTreeSet::new();
         for mark in self.marks.iter().filter(|mark| !off.contains(mark.point.as_str())) {
-            let Some(point) = index_of.get(mark.point.as_str()) else {
-                return refuse(Refusal::MeasuredUnknown { point: mark.point.clone() });
-            };
+            // A remark lists those that are not there.
+            let Some(point) = index_of.get(mark.point.as_str()) else { continue };
             match named.find(&mark.image) {
                 Some(image) => {
                     joined[*point].measurements.push(ImageObservation { image, x_px: mark.x_px, y_px: mark.y_px, confidence: 1.0 })
@@ -104,6 +103,10 @@ impl ControlTables {
         }
         let placing = || joined.iter().filter(|point| point.role == ControlRole::Control);
         let seen = placing().filter(|point| point.measurements.len() >= 2).count();
+        // Where no name is that of a point, or some that are not leave too few, these are what is wrong.
+        if let Some(point) = self.unknown_points().into_iter().next().filter(|_| seen < least || !self.names_points()) {
+            return refuse(Refusal::MeasuredUnknown { point });
+        }
         if seen < least {
             let placing = placing().count();
             let checks = placing < joined.len();
@@ -121,6 +124,19 @@ impl ControlTables {
     pub(super) fn unmeasured(&self) -> Vec<String> {
         let measured: BTreeSet<&str> = self.marks.iter().map(|mark| mark.point.as_str()).collect();
         self.used().map(|(point, _)| &point.name).filter(|name| !measured.contains(name.as_str())).cloned().collect()
+    }
+
+    /// Points that image measurements name and the table does not have, ascending.
+    pub(super) fn unknown_points(&self) -> Vec<String> {
+        let known: BTreeSet<&str> = self.points.iter().map(|point| point.name.as_str()).collect();
+        let named: BTreeSet<&str> = self.marks.iter().map(|mark| mark.point.as_str()).collect();
+        named.difference(&known).map(|name| (*name).to_string()).collect()
+    }
+
+    /// Whether any image measurement names a point of the table.
+    fn names_points(&self) -> bool {
+        let known: BTreeSet<&str> = self.points.iter().map(|point| point.name.as_str()).collect();
+        self.marks.iter().any(|mark| known.contains(mark.point.as_str()))
     }
 
     /// The coordinates of a point as they were written.
@@ -328,6 +344,26 @@ mod tests {
             (Vec::new(), Vec::new())
         );
         assert!(few.contains("0 of 3 measured in two images or more; the block does not have the images 9.png;"), "{few}");
+    }
+
+    #[test]
+    fn measurements_of_points_that_the_table_does_not_have_are_left_out_and_listed() {
+        let images = ["1.png", "2.png"].map(String::from);
+        let seen = |points: &[&str]| {
+            let rows = points.iter().flat_map(|point| ["1.png", "2.png"].map(|image| format!("{image},{point},1,2\n")));
+            ControlTables::read(POINTS, &rows.collect::<String>()).unwrap()
+        };
+        let placing = GeoreferencingOptions::default();
+        let tables = seen(&["a", "102", "b", "c", "101"]);
+        tables.check(&images, &placing).unwrap();
+        assert_eq!(tables.unknown_points(), ["101", "102"]);
+        let (joined, unknown) = tables.join(&images, &placing, &HeightZero::Unknown, LEAST_CONTROL).unwrap();
+        assert_eq!((joined.iter().map(|point| point.measurements.len()).collect::<Vec<_>>(), unknown.len()), (vec![2; 3], 0));
+        // Where too few points are left, or none, the names are what is wrong.
+        for (points, least) in [(&["a", "101", "b"][..], LEAST_CONTROL), (&["101", "102"], 0)] {
+            let told = seen(points).join(&images, &placing, &HeightZero::Unknown, least).unwrap_err().to_string();
+            assert!(told.contains("the point 101"), "{told}");
+        }
     }
 
     #[test]

@@ -113,6 +113,8 @@ impl State {
             self.remarks.extend(Some(doubled).filter(|columns| !columns.is_empty()).map(|columns| Remark::DoubledColumns { columns }));
             self.remarks
                 .extend(Some(control.unmeasured()).filter(|points| !points.is_empty()).map(|points| Remark::UnmeasuredPoints { points }));
+            self.remarks
+                .extend(Some(control.unknown_points()).filter(|points| !points.is_empty()).map(|points| Remark::UnknownPoints { points }));
         }
         self.remarks.extend(doubtful(&self.cameras));
         let known = self.images.iter().map(|image| (image.name.as_str(), [image.width_px, image.height_px], &image.exif));

@@ -1,8 +1,8 @@
 //! The coordinate reference system of a block's control points and results, and whether its control points can be in it.
 
-use crate::crs::{CoordinateSystem, Definition, HeightZero, beside_in_utm, middle};
+use crate::crs::{CoordinateSystem, Definition, HeightZero, beside_in_utm, middle, prefixed_code, zone_of};
 use crate::error::refuse;
-use crate::formats::StatedUnit;
+use crate::formats::{LENGTHS, StatedUnit};
 use crate::math::{dot3, median, turn};
 use crate::reconstruction::Doubted;
 use crate::{
@@ -22,7 +22,8 @@ const UNITS: f64 = 1e-3;
 /// where the block is. `zero`: where its heights count from.
 ///
 /// # Errors
-/// [`Error::InvalidInput`] for a system that cannot be read, and one that nothing leads from to WGS 84 there.
+/// [`Error::InvalidInput`] for a system that cannot be read, one that nothing leads from to WGS 84 there, and eastings with the number of a zone before them
+/// in one that has them without.
 pub(super) fn system_of(
     placing: &GeoreferencingOptions,
     zero: &HeightZero,
@@ -30,11 +31,34 @@ pub(super) fn system_of(
     gnss: &[[f64; 2]],
 ) -> Result<Option<CoordinateSystem>, Error> {
     let Some(definition) = placing.definition()? else { return Ok(None) };
+    if let Some(refusal) = with_zone(&definition, control) {
+        return refuse(refusal);
+    }
     if let Some(at) = middle(control.iter().copied(), definition.is_geographic()) {
         return CoordinateSystem::about(definition, zero.clone(), at).map(Some);
     }
     middle_of_places(gnss).map(|at| CoordinateSystem::new(definition, zero.clone(), at)).transpose()
 }
+
+/// What is wrong with eastings that all begin with the number of one zone, as no easting of UTM does.
+fn with_zone(definition: &Definition, control: &[[f64; 2]]) -> Option<Refusal> {
+    let own = zone_of(definition).filter(|_| definition.unit_m().is_some_and(|unit_m| is_unit(unit_m, 1.0)))?;
+    let zone = |[x, y]: [f64; 2]| {
+        let prefix = (x / ZONE_PREFIX).floor();
+        let is_easting = EASTINGS_M.contains(&(x - prefix * ZONE_PREFIX));
+        // Eastings in cm begin with all numbers; their northings are larger than any.
+        Some(prefix as u32).filter(|zone| is_easting && prefix >= 1.0 && zone.abs_diff(own) <= 1 && y.abs() <= OTHER_HALF_M)
+    };
+    let first = *control.first()?;
+    let number = zone(first).filter(|number| control.iter().all(|place| zone(*place) == Some(*number)))?;
+    let x = first[0].to_string();
+    let short = x.strip_prefix(&number.to_string()).unwrap_or(&x).to_string();
+    let code = prefixed_code(definition, number).map(|code| format!("EPSG:{code}"));
+    Some(Refusal::ControlZone { x, zone: number, short, crs: definition.name(), code })
+}
+
+/// Eastings of UTM, wide of every zone, in m.
+const EASTINGS_M: std::ops::Range<f64> = 100_000.0..900_000.0;
 
 /// Of longitudes and latitudes.
 pub(super) fn middle_of_places(places: &[[f64; 2]]) -> Option<[f64; 2]> {
@@ -57,8 +81,6 @@ pub(super) fn check_near(control: &[GroundControlPoint], gnss: &[[f64; 2]], syst
     refuse(Refusal::ControlElsewhere { point, distance_km, crs, most_km: MOST_KM, swapped, zone, likely })
 }
 
-/// Units of length that tables of control points have, in m.
-const LENGTHS: [(&str, f64); 6] = [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("ft", 0.3048), ("us-ft", 1200.0 / 3937.0), ("km", 1000.0)];
 /// Feet differ by less, and are told apart by nothing.
 const ALIKE: f64 = 1e-5;
 
@@ -270,6 +292,34 @@ mod tests {
         // Of control points, too, by which the system of a block is chosen.
         let placing = GeoreferencingOptions { crs: Some("EPSG:4326".into()), ..GeoreferencingOptions::default() };
         assert!(system_of(&placing, &HeightZero::Unknown, &gnss, &[]).unwrap().is_some());
+    }
+
+    #[test]
+    fn the_number_of_a_zone_before_eastings_is_named_before_other_units() {
+        let told = |crs: &str, control: &[[f64; 2]], gnss: &[[f64; 2]]| {
+            let placing = GeoreferencingOptions { crs: Some(crs.into()), ..GeoreferencingOptions::default() };
+            let named = |error| with_unit(error, &placing, control, gnss).to_string();
+            system_of(&placing, &HeightZero::Unknown, control, gnss).map_err(named).err()
+        };
+        let control = [[32_428_374.069, 5_539_031.0], [32_428_474.069, 5_539_131.0]];
+        for crs in ["EPSG:25832", "EPSG:32632", "EPSG:25832+7837"] {
+            for gnss in [&[][..], &[[8.0, 50.0]]] {
+                let told = told(crs, &control, gnss).unwrap();
+                assert!(told.contains("begin with the number of a zone (32, in 32428374.069)"), "{told}");
+                assert!(told.contains("allowed: --crs EPSG:4647, or eastings without the 32 (428374.069)"), "{told}");
+            }
+        }
+        // The system that has them so is known.
+        assert_eq!(told("EPSG:4647", &control, &[]), None);
+        let other = told("EPSG:23032", &control, &[]).unwrap();
+        assert!(other.contains("allowed: eastings without the 32") && !other.contains("4647"), "{other}");
+        assert_eq!(told("EPSG:25832", &[[428_374.0, 5_539_031.0]], &[]), None);
+        // Centimetres and feet have other numbers before them, or larger northings, and one point of many has a slip.
+        for [x, y] in [[42_837_406.9, 553_903_100.0], [32_537_406.9, 553_903_100.0], [1_405_426.4, 9_172_674.3]] {
+            assert_eq!(with_zone(&Definition::read(UTM).unwrap(), &[[x, y]; 2]), None);
+        }
+        assert_eq!(with_zone(&Definition::read("+proj=utm +zone=32 +datum=WGS84 +units=us-ft").unwrap(), &control), None);
+        assert_eq!(with_zone(&Definition::read(UTM).unwrap(), &[control[0], [428_374.0, 5_539_031.0]]), None);
     }
 
     #[test]

@@ -40,6 +40,10 @@ pub(super) const MEDIAN_BY_MEAN: f64 = 1.2533;
 pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: Placing, tests: &ControlTests) -> Vec<BlockWarning> {
     let Known { description, frame, .. } = *known;
     let mut found = Vec::new();
+    // Of control points in degrees nothing else says what is wrong.
+    let (degrees, scale): (Vec<_>, Vec<_>) =
+        of_units(model, description, frame).into_iter().partition(|warning| matches!(warning, BlockWarning::Degrees));
+    found.extend(degrees);
     found.extend(match placing {
         Placing::Observed => of_rotation(model).or_else(|| of_view(model)),
         Placing::Levelled { recorded, error_deg } => {
@@ -56,7 +60,7 @@ pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: P
     found.extend(of_positions(model, description, frame));
     found.extend(of_common_positions(model, known.options.adjustment.limit()));
     found.extend(of_position_errors(model));
-    found.extend(of_units(model, description, frame));
+    found.extend(scale);
     found.extend(of_control(model, known, tests));
     found.extend(of_check_points(model, known));
     found.extend(of_shape(model, description));

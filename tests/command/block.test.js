@@ -274,11 +274,10 @@ test('surveyed points place the block', () => {
     assert.ok(error < 4, `image ${i}: ${error} m`);
   });
   assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control).stderr, /--control needs --marks beside it/);
-  const strange = file(at, 'strange.csv', `absent.png,P0,1,1\n${marks.join('\n')}\n`);
-  assert.match(
-    tiepoint(...BLOCK.call, '--out', half(), ...known, '--control', control, '--marks', strange).stderr,
-    /the image measurements name images that are none of the block: absent\.png/,
-  );
+  const strange = file(at, 'strange.csv', `absent.png,P0,1,1\nphoto_00000.png,P9,10,10\n${marks.join('\n')}\n`);
+  const told = tiepoint(...BLOCK.call, '--out', half(), ...known, '--control', control, '--marks', strange).stderr;
+  assert.match(told, /the image measurements name images that are none of the block: absent\.png/);
+  assert.match(told, /image measurements of these points take no part, since the table of control points does not have them: P9/);
   const other = file(at, 'other.csv', marks.join('\n').replaceAll('photo_', 'flight_'));
   assert.match(
     tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', other).stderr,

@@ -23,6 +23,7 @@ function refuses(code, line, ...args) {
 test('help names every command, and every command tells its options', () => {
   const { code, stdout } = tiepoint('help');
   assert.equal(code, 0);
+  assert.match(stdout, /of match, block, edit and place also 3 done with a weak orientation,\n4 done without one\./);
   for (const name of ['points', 'match', 'interior', 'orient', 'moments', 'sample']) {
     assert.ok(stdout.includes(`  ${name} `), `${name} is listed`);
     const help = tiepoint(name, '--help');

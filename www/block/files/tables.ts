@@ -1,5 +1,5 @@
 /** What a table is for, told by its content: control and check points, where images show them, the fiducial marks of a scan of film, or none of these. */
-import { parse_ground_control_points, parse_image_measurements } from '../../../pkg/wasm/tiepoint.js';
+import { parse_fiducials, parse_ground_control_points, parse_image_measurements } from '../../../pkg/wasm/tiepoint.js';
 import { IMAGE_FILE } from '../../../pkg/block/image-files.js';
 import { messageOf } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
@@ -41,16 +41,20 @@ export function hasNumbers(text: string): boolean {
   return 2 * rows.length > lines.length;
 }
 
-/** Whether it is one of fiducial marks; a slip in one of its lines is said of that. */
+/** Whether it is one of fiducial marks, in the words of any language; a slip in one of its lines is said of that. */
 export function hasFiducials(text: string): boolean {
   const columns = columnsOf(text);
-  return OF_FIDUCIALS.every((column) => columns.includes(column));
+  if (OF_FIDUCIALS.every((column) => columns.includes(column))) return true;
+  try {
+    return parse_fiducials(text).length > 0;
+  } catch {
+    return false;
+  }
 }
 
 /** `images`: the names of those of the block, which are told from points by them. */
 export function kindOfTable(text: string, images: ReadonlySet<string>): TableKind {
   if (hasFiducials(text)) return { kind: 'fiducials' };
-  if (hasNumbers(text) && !/[,;\t]/u.test(text)) return { kind: 'neither', why: say('its-values-stand-between-spaces') };
   // A run knows images by their names without the ending, too.
   const stems = new Set([...images].map((name) => name.replace(/\.[^.]*$/u, '').toLowerCase()));
   const isImage = (name: string) => images.has(name) || IMAGE_FILE.test(name) || stems.has(name.toLowerCase());
@@ -64,6 +68,7 @@ export function kindOfTable(text: string, images: ReadonlySet<string>): TableKin
     if (OF_TIE_POINTS.every((column) => columnsOf(text).includes(column))) return { kind: 'neither', why: say('its-rows-are-tie-points') };
     return { kind: 'control' };
   } catch (error) {
+    if (hasNumbers(text) && !/[,;\t]/u.test(text)) return { kind: 'neither', why: say('its-values-stand-between-spaces') };
     return { kind: 'neither', why: isOfImages(text, marks) ? whyNoMarks(marks) : messageOf(error) };
   }
 }

@@ -1,0 +1,61 @@
+//! What the columns of a table of control points hold that nothing names: by their order and their numbers.
+
+use crate::error::refuse;
+use crate::text::Records;
+use crate::{Error, Refusal};
+use csv::StringRecord;
+
+/// Largest standard error that is told from a coordinate, in m.
+const MOST_ERROR_M: f64 = 10.0;
+/// Whole numbers from here on are the figures behind a decimal comma rather than standard errors.
+const LEAST_FIGURES: f64 = 10.0;
+/// Numbers of a point with the standard errors of its place and its height, and with those of all three coordinates.
+const WITH_TWO: usize = 5;
+const WITH_THREE: usize = 6;
+
+/// The columns of standard errors behind `name, x, y, z`: of the place, which are one or those of x and y, and of the height; none where a code stands there.
+///
+/// # Errors
+/// [`Error::InvalidInput`] for more numbers, and for those that may be parts of others with decimal commas.
+pub(super) fn errors_in_order(records: &Records) -> Result<Option<([usize; 2], usize)>, Error> {
+    let mut most = 0;
+    for (line, record) in &records.rows {
+        let numbers: Vec<&str> = record.iter().skip(1).take_while(|field| records.number(field).is_some()).collect();
+        let refused = |refusal: fn(String, usize, usize) -> Refusal| refuse(refusal(records.shown(record), numbers.len(), *line));
+        let of_errors: Vec<f64> = numbers.iter().skip(3).filter_map(|field| records.number(field)).collect();
+        let are_small = of_errors.iter().all(|error| *error > 0.0 && *error <= MOST_ERROR_M);
+        if numbers.len() > WITH_THREE || (numbers.len() == WITH_THREE && !(are_small && !is_whole(records, &numbers))) {
+            return refused(|record, numbers, line| Refusal::ControlNumbers { record, numbers, line, most_m: MOST_ERROR_M });
+        }
+        let may_be_figures = numbers.iter().skip(3).any(|field| has_figures(records, field));
+        if numbers.len() == WITH_TWO && is_whole(records, &numbers) && may_be_figures {
+            return refused(|record, _, line| Refusal::ControlDecimalCommas { record, line });
+        }
+        // A name with a blank in it shifts what stands behind it.
+        if records.has_blanks() && numbers.len() > 3 && !are_small {
+            return refused(|record, numbers, line| Refusal::ControlNumbers { record, numbers, line, most_m: MOST_ERROR_M });
+        }
+        most = most.max(numbers.len());
+    }
+    Ok(match most {
+        WITH_THREE => Some(([4, 5], 6)),
+        _ => Some(([4, 4], 5)).filter(|_| !has_code(records)),
+    })
+}
+
+/// Whether commas may have cut numbers in two: none has a point.
+fn is_whole(records: &Records, numbers: &[&str]) -> bool {
+    records.has_commas() && numbers.iter().all(|field| !field.contains(['.', ',']))
+}
+
+fn has_figures(records: &Records, field: &str) -> bool {
+    records.number(field).is_some_and(|number| number >= LEAST_FIGURES) || (field.len() > 1 && field.starts_with('0'))
+}
+
+/// A word behind the coordinates is a code or a remark.
+fn has_code(records: &Records) -> bool {
+    let is_number = |record: &StringRecord| record.get(4).is_some_and(|field| records.number(field).is_some());
+    let first = records.rows.first().and_then(|(_, first)| first.get(4));
+    let word = first.filter(|field| !field.is_empty() && !field.contains(|letter: char| letter.is_ascii_digit()));
+    word.is_some() && !records.rows.iter().any(|(_, record)| is_number(record))
+}
