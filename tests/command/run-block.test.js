@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { errorOf, plainError, runBlock } from '../../pkg/block/index.js';
 import { jobs } from '../../pkg/block/jobs.js';
-import { message } from '../../pkg/node.js';
+import { BlockOnOrthophoto, BlockScene, grey_png, message, OrthophotoReference } from '../../pkg/node.js';
 import { photographed } from './blocks.js';
 import { folder, json } from './command.js';
 
@@ -204,6 +204,19 @@ test('an image whose source gives no bytes is skipped and listed, and bytes of s
   };
   await runBlock(SOURCES.slice(0, 2), OPTIONS, { pool: HERE, store, progress });
   assert.equal(found, 2);
+});
+
+test('images that a finished block does not have, and places without numbers, are refused', async () => {
+  const run = await runBlock(SOURCES.slice(0, 2), OPTIONS, { pool: HERE, store: memory() });
+  const refused = (/** @type {() => unknown} */ call, /** @type {RegExp} */ pattern) =>
+    assert.throws(call, (/** @type {any} */ error) => error.name === 'TiepointError' && pattern.test(error.message));
+  refused(() => run.epipolar_line(0, NaN, 5, 1), /^place_px is \[NaN, 5\.0\]; allowed: two finite numbers$/);
+  refused(() => run.epipolar_line(0, 5, 5, 2), /got index 2; allowed: indices below 2$/);
+  const scene = new BlockScene({ strips: 1, exposures: 2 });
+  const reference = OrthophotoReference.open(scene.orthophoto(4).picture);
+  const placing = new BlockOnOrthophoto();
+  refused(() => placing.place(run, 2, grey_png(64, 48, new Uint8Array(64 * 48)), reference), /got index 2; allowed: indices below 2$/);
+  for (const each of [placing, reference, scene, run]) each.free();
 });
 
 test('an error passes between workers with its name, code and figures, whatever was thrown', () => {
