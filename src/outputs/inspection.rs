@@ -1,6 +1,7 @@
 //! What is known of one tie point, and of the observations of one image: what is looked at where images are opened at a point.
 
 use crate::adjustment::project;
+use crate::catalogue::refuse as refuse_option;
 use crate::error::refuse;
 use crate::{
     Allowed, BlockRun, Camera, ControlRole, Error, Input, ModelImage, ObservationVerdict, PointSource, Pose, ReconstructedModel, Refusal,
@@ -193,11 +194,7 @@ pub fn block_epipolar_line(run: &BlockRun, from: usize, place_px: [f64; 2], to: 
         return refuse(Refusal::Index { input: Input::Image, index: image, count: images.len() });
     }
     if !place_px.iter().all(|side| side.is_finite()) {
-        return Err(Error::InvalidOption {
-            field: "place_px",
-            got: Some(format!("{place_px:?}")),
-            allowed: Allowed::Finite { numbers: 2 },
-        });
+        return Err(refuse_option("place_px", format!("{place_px:?}"), Allowed::Finite { numbers: 2 }));
     }
     let (Some(pose), Some(depth)) = (images[from].pose, median_depth(run, from)) else { return Ok(Vec::new()) };
     let [x, y] = run.model.cameras[images[from].camera].direction(place_px)?;
