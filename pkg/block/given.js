@@ -2,6 +2,7 @@
 /** What a run of a block is given, refused before anything is begun; what the crate takes of it the crate refuses. */
 
 import { call_parameters, message } from '../wasm/tiepoint.js';
+import { kindOf } from './kind.js';
 import { errorOf } from './wire.js';
 
 /** @typedef {import('./types.js').RunOptions} RunOptions @typedef {import('./types.js').Surroundings} Surroundings */
@@ -15,12 +16,15 @@ export function checkGiven(sources, options, surroundings) {
   const unknown = Object.keys(options).find((name) => !OPTIONS.includes(/** @type {any} */ (name)));
   if (unknown !== undefined) refuseField(unknown);
   const { cameras, gps, masks, geoid, onOrthophoto } = options;
-  if (isGiven(cameras) && typeof cameras?.text !== 'string') refuse('cameras', cameras, '{ name, text }');
+  if (isGiven(cameras)) {
+    if (!isObject(cameras)) refuse('cameras', cameras, '{ name, text }');
+    checkType('cameras.text', /** @type {any} */ (cameras).text, 'string');
+  }
   if (gps !== undefined && gps !== 'use' && gps !== 'ignore') refuse('gps', gps, 'use, ignore');
   if (onOrthophoto !== undefined && typeof onOrthophoto !== 'boolean') refuse('onOrthophoto', onOrthophoto, 'true, false');
   checkSources('images', sources);
-  checkSources('masks', masks === undefined ? [] : masks);
-  checkSources('geoid', isGiven(geoid) ? [geoid] : []);
+  checkSources('masks', masks ?? []);
+  if (isGiven(geoid)) checkSource('geoid', geoid);
   if (!isObject(surroundings)) refuse('surroundings', surroundings, '{ pool, store }');
   const { pool, store } = surroundings;
   if (typeof pool?.run !== 'function') refuse('pool', pool, '{ size, run }');
@@ -33,8 +37,21 @@ export function checkGiven(sources, options, surroundings) {
 function checkSources(field, sources) {
   if (!Array.isArray(sources)) refuse(field, sources, '[{ name, bytes }]');
   sources.forEach((source, index) => {
-    if (typeof source?.name !== 'string' || typeof source.bytes !== 'function') refuse(`${field}[${index}]`, source, '{ name, bytes }');
+    checkSource(`${field}[${index}]`, source);
   });
+}
+
+/** @param {string} field @param {unknown} source */
+function checkSource(field, source) {
+  if (!isObject(source)) refuse(field, source, '{ name, bytes }');
+  const { name, bytes } = /** @type {any} */ (source);
+  checkType(`${field}.name`, name, 'string');
+  checkType(`${field}.bytes`, bytes, 'function');
+}
+
+/** Refuses a value of another type.  @param {string} field @param {unknown} value @param {'string' | 'function'} type */
+function checkType(field, value, type) {
+  if (typeof value !== type) refuse(field, isObject(value) || !isGiven(value) ? value : `${shown(value)} (${typeof value})`, type);
 }
 
 /** How many threads the command takes as well. */
@@ -77,5 +94,6 @@ function throwRefusal(code, error) {
 function shown(value) {
   if (!isGiven(value)) return null;
   if (Array.isArray(value)) return `[${value.length}]`;
-  return isObject(value) ? `{ ${Object.keys(value).join(', ')} }` : String(value);
+  if (!isObject(value)) return String(value);
+  return kindOf(value) === 'Object' ? `{ ${Object.keys(value).join(', ')} }` : kindOf(value);
 }

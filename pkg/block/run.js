@@ -4,6 +4,7 @@
 import { Run, sha256 } from '../wasm/tiepoint.js';
 import { breakdownOf } from './faults.js';
 import { checkGiven } from './given.js';
+import { ownBytes } from './own-bytes.js';
 import { timed } from './timed.js';
 import { plainError } from './wire.js';
 
@@ -23,7 +24,8 @@ import { plainError } from './wire.js';
  */
 export async function runBlock(sources, options, surroundings) {
   checkGiven(sources, options, surroundings);
-  const { settings = {}, cameras, gps, control, masks = [], geoid, onOrthophoto = false } = options;
+  const { settings = {}, cameras, gps, control, geoid, onOrthophoto = false } = options;
+  const masks = options.masks ?? [];
   const { pool, progress, news, signal } = surroundings;
   const names = (/** @type {readonly Source[]} */ files) => files.map(({ name }) => name);
   const run = new Run({
@@ -84,7 +86,7 @@ async function performed({ id, files: needed }, run, files, { pool, store }) {
   /** @type {Uint8Array[]} */
   let inputs;
   try {
-    inputs = await Promise.all(needed.map(({ kind, index }) => /** @type {Source} */ (files[kind][index]).bytes()));
+    inputs = await Promise.all(needed.map(async ({ kind, index }) => ownBytes(await /** @type {Source} */ (files[kind][index]).bytes())));
   } catch (error) {
     return run.failed(id, { kind: 'unreadable', message: plainError(error).message });
   }

@@ -55,15 +55,15 @@ export type News = Exclude<FoundOrStep, { kind: 'step' }>;
 export interface RunOptions {
   settings?: Given<BlockSettings>;
   /** Cameras in place of those of EXIF, as the text of a file. */
-  cameras?: { name: string; text: string };
+  cameras?: { name: string; text: string } | null;
   /** Whether GNSS positions are used, to choose pairs and, where there are no ground control points, to georeference the block. */
   gps?: 'use' | 'ignore';
   /** Ground control points and their image measurements. */
-  control?: ControlTexts;
+  control?: ControlTexts | null;
   /** Image files, 0 (black) where no features are wanted, each as large as the image whose name it has. */
-  masks?: readonly Source[];
+  masks?: readonly Source[] | null;
   /** The geoid from which the heights of the coordinate system count: a GeoTIFF of longitudes and latitudes, GTX, or PGM of GeographicLib. */
-  geoid?: Source;
+  geoid?: Source | null;
   /** Whether an orthophoto is to place the block afterwards (`BlockOnOrthophoto`): then fewer than three control points, or check points alone, are of use. */
   onOrthophoto?: boolean;
 }

@@ -1213,6 +1213,7 @@ refusal-no-height-model = نموذج الارتفاعات: ليس TIFF ولا ن
 refusal-heights-without-place = نموذج الارتفاعات: أُعطي TIFF لا يذكر موضعه؛ المسموح: GeoTIFF، أو ملف إحداثيات (world file) بجانبه
 refusal-truncated-heights = نموذج الارتفاعات: أُعطي { $width } × { $height } من الارتفاعات في { $bytes } بايت: هو مبتور؛ المسموح: ملف كامل
 refusal-many-heights = نموذج الارتفاعات: أُعطي { $width } × { $height } من الارتفاعات؛ المسموح: حتى 100 مليون
+refusal-heights-of-picture = نموذج الارتفاعات: أُعطي TIFF بأعداد صحيحة من 8 بت كما في الصور؛ المسموح: أعداد من 16 بت أو أكثر، أو GeoTIFF يذكر بنظام رأسي أو بوحدة ارتفاع أو بمقياس وإزاحة من GDAL أنها ارتفاعات
 refusal-height-samples = نموذج الارتفاعات: أُعطي TIFF بعينات من نوع آخر؛ المسموح: عينة واحدة في البكسل: أعداد صحيحة أو فاصلة عائمة
 refusal-grid-word = شبكة ESRI ASCII: أُعطي { $name } بلا عدد؛ المسموح: ncols وnrows وxllcorner أو xllcenter وyllcorner أو yllcenter وcellsize وnodata_value، ثم الارتفاعات صفًا فصفًا
 refusal-grid-lacks = شبكة ESRI ASCII: تنقصها { $name }؛ المسموح: ncols وnrows وxllcorner أو xllcenter وyllcorner أو yllcenter وcellsize وnodata_value، ثم الارتفاعات صفًا فصفًا

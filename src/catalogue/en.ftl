@@ -503,6 +503,7 @@ refusal-no-height-model = height model: got neither a TIFF nor text; allowed: a 
 refusal-heights-without-place = height model: got a TIFF that does not say where it lies; allowed: a GeoTIFF, or a world file beside it
 refusal-truncated-heights = heights: got { $width } x { $height } heights in { $bytes } bytes: it is truncated; allowed: a whole file
 refusal-many-heights = heights: got { $width } x { $height } heights; allowed: up to 100 million
+refusal-heights-of-picture = heights: got a TIFF of whole numbers of 8 bits, as pictures have them; allowed: numbers of 16 bits or more, or a GeoTIFF that says by a vertical system or unit, or by scale and offset of GDAL, that they are heights
 refusal-height-samples = heights: got a TIFF of samples of another kind; allowed: one sample per pixel: whole numbers or floating point
 refusal-grid-word = ESRI ASCII grid: got { $name } without a number; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
 refusal-grid-lacks = ESRI ASCII grid: got no { $name }; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row

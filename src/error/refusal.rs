@@ -224,6 +224,7 @@ messages! {
         TruncatedHeights { width: usize, height: usize, bytes: usize },
         ManyHeights { width: usize, height: usize },
         HeightSamples,
+        HeightsOfPicture,
         GridWord { name: String },
         GridLacks { name: String },
         GridSize { #[serde(with = "number")] columns: f64, #[serde(with = "number")] rows: f64, #[serde(with = "number")] cell: f64 },

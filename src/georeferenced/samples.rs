@@ -26,6 +26,8 @@ pub(crate) struct Numbers<'a> {
     size: [usize; 2],
     /// Of a tile or strip.
     chunk: [usize; 2],
+    /// Of a number.
+    bits: u8,
     meaning: Meaning,
     decoder: Mutex<Decoder<Cursor<Cow<'a, [u8]>>>>,
     kept: Mutex<BTreeMap<usize, Vec<f32>>>,
@@ -58,17 +60,22 @@ impl<'a> Numbers<'a> {
         }
         let (columns, rows) = decoder.chunk_dimensions();
         let chunk = [columns, rows].map(side);
-        let is_one = decoder.colortype().map_err(tiff_error)?.num_samples() == 1;
-        if !is_one || chunk.contains(&0) {
+        let colours = decoder.colortype().map_err(tiff_error)?;
+        if colours.num_samples() != 1 || chunk.contains(&0) {
             return refuse(Refusal::HeightSamples);
         }
         let (decoder, kept) = (Mutex::new(decoder), Mutex::default());
-        Ok(Self { bytes, size: [width, height], chunk, meaning, decoder, kept })
+        Ok(Self { bytes, size: [width, height], chunk, bits: colours.bit_depth(), meaning, decoder, kept })
     }
 
     /// Width and height.
     pub fn size(&self) -> [usize; 2] {
         self.size
+    }
+
+    /// Whether they are such as grey values are: of 8 bits, and taken as they stand.
+    pub fn are_as_of_picture(&self) -> bool {
+        self.bits <= 8 && self.meaning.scale == 1.0 && self.meaning.offset == 0.0
     }
 
     /// All of them, row by row.

@@ -138,7 +138,7 @@ pub struct KnownCamera {
     pub radial: [f64; 3],
     #[serde(default)]
     pub tangential: [f64; 2],
-    /// What the block estimates of it, where it determines that: by default all but k3, p1 and p2.
+    /// What the block estimates of it, where it determines that: by default all but k3.
     #[serde(default = "usual")]
     pub free: FreeParameters,
     /// Side of a pixel in mm, for exports in photo coordinates.

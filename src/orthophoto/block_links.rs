@@ -13,9 +13,10 @@ use super::rectify::Seen;
 use super::reference::Orthophoto;
 use super::search_area::SearchArea;
 use super::verdict::contradiction;
+use crate::error::refuse;
 use crate::math::{NORMAL_MEDIAN, dot3, median, minus};
 use crate::pipeline::GroundPoint;
-use crate::{BlockRun, ControlRole, Error, ExifPosition, Failure, GreyView, NotLinked, Pose, Remark};
+use crate::{BlockRun, ControlRole, Error, ExifPosition, Failure, GreyView, Input, NotLinked, Pose, Refusal, Remark};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -56,7 +57,7 @@ impl BlockLinks {
     /// block, as [`linked`](Self::linked) then says. A block with one has placements in m, whatever the unit of the orthophoto is.
     ///
     /// # Errors
-    /// As [`place_image`].
+    /// [`Error::InvalidInput`] for an image that does not exist; as [`place_image`].
     pub fn place(
         &mut self,
         run: &BlockRun,
@@ -66,6 +67,10 @@ impl BlockLinks {
         area: &SearchArea,
         options: &PlacingOptions,
     ) -> Result<Option<&PlacedImage>, Error> {
+        let count = run.model.images.len();
+        if image >= count {
+            return refuse(Refusal::Index { input: Input::Image, index: image, count });
+        }
         let Some(known) = PlacingCamera::of_block(run, image) else { return Ok(None) };
         let reference = match IntoSystem::of(run, reference) {
             Ok(into) => in_metres(into.as_ref(), reference),

@@ -157,7 +157,8 @@ impl HeightModel {
         Self { unit_m, said: Arc::new(SaidSystem { epsg, ..SaidSystem::default() }), ..self }
     }
 
-    /// Reads a GeoTIFF of whole or floating-point numbers, or an ESRI ASCII grid. `sidecars`: where a TIFF lies that does not say so, and the system.
+    /// Reads a GeoTIFF of whole or floating-point numbers, or an ESRI ASCII grid. Whole numbers of 8 bits, as pictures have them, are heights where the file
+    /// says so. `sidecars`: where a TIFF lies that does not say so, and the system.
     ///
     /// # Errors
     /// [`Error::InvalidInput`], [`Error::UnreadableImage`] and [`Error::Degenerate`] for what is neither, is damaged or lies nowhere.
@@ -201,6 +202,10 @@ impl HeightModel {
             }
         };
         let numbers = Numbers::open(file)?;
+        let is_said = tags.system.height_code.is_some() || tags.system.height_unit_m.is_some();
+        if numbers.are_as_of_picture() && !is_said {
+            return refuse(Refusal::HeightsOfPicture);
+        }
         let ([width, height], values) = (numbers.size(), numbers.all()?);
         let said = sidecars.system(tags.system)?;
         Ok(Self { unit_m: said.height_unit_m, said: Arc::new(said), ..Self::new(width, height, values, georeference)? })
@@ -259,6 +264,29 @@ mod tests {
     use super::*;
 
     const GRID: &str = "ncols 3\nnrows 2\nxllcorner 100\nyllcorner 50\ncellsize 10\nNODATA_value -9999\n1 2 3\n4 5 -9999\n";
+
+    /// A TIFF of whole numbers of 8 bits, with what GDAL says of them and its GeoKeys.
+    fn of_bytes(metadata: &str, keys: &[u16]) -> Vec<u8> {
+        use tiff::encoder::{TiffEncoder, colortype::Gray8};
+        use tiff::tags::Tag;
+        let mut out = std::io::Cursor::new(Vec::new());
+        let mut encoder = TiffEncoder::new(&mut out).unwrap();
+        let mut image = encoder.new_image::<Gray8>(3, 2).unwrap();
+        image.encoder().write_tag(Tag::Unknown(42112), metadata).unwrap();
+        image.encoder().write_tag(Tag::GeoKeyDirectoryTag, keys).unwrap();
+        image.write_data(&[10, 20, 30, 40, 50, 60]).unwrap();
+        out.into_inner()
+    }
+
+    #[test]
+    fn a_picture_is_no_height_model_unless_it_says_so() {
+        let read = |metadata: &str, keys: &[u16]| HeightModel::read(&of_bytes(metadata, keys), Some("10\n0\n0\n-10\n105\n65\n"));
+        let (nothing, in_feet) = ([1, 1, 0, 0], [1, 1, 0, 1, 4099, 0, 1, 9002]);
+        assert_eq!(read("", &nothing).unwrap_err(), Refusal::HeightsOfPicture.into_error());
+        assert_eq!(read("", &in_feet).unwrap().at([115.0, 55.0]), Some(50.0));
+        let scaled = r#"<GDALMetadata><Item name="SCALE" sample="0" role="scale">2</Item></GDALMetadata>"#;
+        assert_eq!(read(scaled, &nothing).unwrap().at([115.0, 55.0]), Some(100.0));
+    }
 
     #[test]
     fn heights_are_interpolated_between_the_centres() {

@@ -1,9 +1,10 @@
 //! What is known of one tie point, and of the observations of one image: what is looked at where images are opened at a point.
 
 use crate::adjustment::project;
+use crate::catalogue::refuse as refuse_option;
 use crate::error::refuse;
 use crate::{
-    BlockRun, Camera, ControlRole, Error, Input, ModelImage, ObservationVerdict, PointSource, Pose, ReconstructedModel, Refusal,
+    Allowed, BlockRun, Camera, ControlRole, Error, Input, ModelImage, ObservationVerdict, PointSource, Pose, ReconstructedModel, Refusal,
     RejectedObservation,
 };
 use serde::Serialize;
@@ -186,11 +187,14 @@ const STEPS: usize = 96;
 /// to far; empty where an image is not oriented or the line misses the other one.
 ///
 /// # Errors
-/// [`Error::InvalidInput`] for images that do not exist; as [`Camera::direction`].
+/// [`Error::InvalidInput`] for images that do not exist, [`Error::InvalidOption`] for a place without numbers; as [`Camera::direction`].
 pub fn block_epipolar_line(run: &BlockRun, from: usize, place_px: [f64; 2], to: usize) -> Result<Vec<[f64; 2]>, Error> {
     let images = &run.model.images;
     if let Some(image) = [from, to].into_iter().find(|image| *image >= images.len()) {
         return refuse(Refusal::Index { input: Input::Image, index: image, count: images.len() });
+    }
+    if !place_px.iter().all(|side| side.is_finite()) {
+        return Err(refuse_option("place_px", format!("{place_px:?}"), Allowed::Finite { numbers: 2 }));
     }
     let (Some(pose), Some(depth)) = (images[from].pose, median_depth(run, from)) else { return Ok(Vec::new()) };
     let [x, y] = run.model.cameras[images[from].camera].direction(place_px)?;

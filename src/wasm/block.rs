@@ -1,6 +1,6 @@
 //! What a block is set by, and where its images are.
 
-use super::convert::{JsResult, pack, read_options, rows, thrown};
+use super::convert::{JsResult, Numbers, pack, read_options, rows, thrown};
 use crate::{BlockSettings, acting, local_from_geographic};
 use js_sys::Float64Array;
 use wasm_bindgen::JsValue;
@@ -27,8 +27,9 @@ pub fn block_settings(#[wasm_bindgen(unchecked_param_type = "Given<BlockSettings
 
 /// Positions in m east, north and up of the first known one: of longitude, latitude in degrees and height in m (stride 3), NaN where not known.
 #[wasm_bindgen]
-pub fn local_positions(geographic: &[f64]) -> JsResult<Float64Array> {
-    let places = rows::<3>("geographic positions", geographic)?;
+pub fn local_positions(geographic: &Numbers) -> JsResult<Float64Array> {
+    let geographic = geographic.read("geographic positions")?;
+    let places = rows::<3>("geographic positions", &geographic)?;
     let origin = places.iter().find(|p| p.iter().all(|v| v.is_finite()));
     let local = |p: &[f64; 3]| origin.map_or([f64::NAN; 3], |origin| local_from_geographic(*p, *origin));
     Ok(Float64Array::from(&places.iter().flat_map(local).collect::<Vec<f64>>()[..]))

@@ -1,6 +1,6 @@
 //! Files of a block: what EXIF tells, cameras and surveyed points in, the names of the exchange formats.
 
-use super::convert::{Bytes, JsResult, pack, read, side, thrown};
+use super::convert::{Bytes, JsResult, Text, TextList, pack, read, side, thrown};
 use crate::{
     Connection, ConnectionGraph, Error, ExifImage, ExportFormat, measurements_of_images, parse_camera_rules as read_rules,
     parse_ground_control_points as read_points, parse_image_measurements as read_marks,
@@ -17,21 +17,22 @@ pub fn read_exif(file: &Bytes, width: f64, height: f64) -> JsResult<JsValue> {
 
 /// Reads cameras that hold for the images whose names fit a pattern.
 #[wasm_bindgen(unchecked_return_type = "CameraRule[]")]
-pub fn parse_camera_rules(json: &str) -> JsResult<JsValue> {
-    read_rules(json).map(|rules| pack(&rules)).map_err(thrown)
+pub fn parse_camera_rules(json: &Text) -> JsResult<JsValue> {
+    read_rules(&json.read("json")?).map(|rules| pack(&rules)).map_err(thrown)
 }
 
 /// Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
 #[wasm_bindgen(unchecked_return_type = "GroundControlRow[]")]
-pub fn parse_ground_control_points(text: &str) -> JsResult<JsValue> {
-    read_points(text).map(|points| pack(&points)).map_err(thrown)
+pub fn parse_ground_control_points(text: &Text) -> JsResult<JsValue> {
+    read_points(&text.read("text")?).map(|points| pack(&points)).map_err(thrown)
 }
 
 /// Reads where images show surveyed points: lines of image, point, x, y in px. `images`: names of images, which stand in the rows where the
 /// table means them, by other capitals, with a folder or without their ending.
 #[wasm_bindgen(unchecked_return_type = "ImageMeasurementRow[]")]
-pub fn parse_image_measurements(text: &str, images: Option<Vec<String>>) -> JsResult<JsValue> {
-    let rows = read_marks(text).map_err(thrown)?;
+pub fn parse_image_measurements(text: &Text, images: Option<TextList>) -> JsResult<JsValue> {
+    let images = images.map(|images| images.read("images")).transpose()?;
+    let rows = read_marks(&text.read("text")?).map_err(thrown)?;
     Ok(pack(&measurements_of_images(rows, &images.unwrap_or_default())))
 }
 

@@ -1,6 +1,6 @@
 //! Simulated photos of a block, one at a time, and the score of what is made of them.
 
-use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, thrown, whole};
+use super::convert::{JsResult, Numbers, numbers, object, pack, read, read_options, rows, thrown, whole};
 use crate::{BlockFlight, BlockModel, BlockPreset, BlockScene as Scene, score_block as score_by_truth};
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
@@ -58,8 +58,9 @@ impl BlockScene {
     }
 
     /// Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
-    pub fn surface_at(&self, index: f64, positions: &[f64]) -> JsResult<js_sys::Float64Array> {
-        let places = self.scene.surface_at(whole("index of the photo", index)?, rows::<2>("positions", positions)?).map_err(thrown)?;
+    pub fn surface_at(&self, index: f64, positions: &Numbers) -> JsResult<js_sys::Float64Array> {
+        let (index, positions) = (whole("index of the photo", index)?, positions.read("positions")?);
+        let places = self.scene.surface_at(index, rows::<2>("positions", &positions)?).map_err(thrown)?;
         Ok(numbers(places.into_iter().flatten()).into())
     }
 }

@@ -1,6 +1,7 @@
 //! Cameras of photographs: what they are called, and that of a pair from that of a block.
 
 use super::convert::{JsResult, pack, read, side, thrown};
+use crate::catalogue::check_call;
 use crate::{Camera, CameraMm, ExifCamera};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -13,8 +14,9 @@ pub fn photo_camera(#[wasm_bindgen(unchecked_param_type = "Camera")] camera: &Js
 
 /// The camera of a photo of which nothing but the focal length in px is known.
 #[wasm_bindgen(unchecked_return_type = "CameraMm")]
-pub fn camera_of_focal_px(focal_px: f64) -> JsValue {
-    pack(&CameraMm::of_focal_px(focal_px))
+pub fn camera_of_focal_px(focal_px: f64) -> JsResult<JsValue> {
+    check_call("focal_px", focal_px).map_err(thrown)?;
+    Ok(pack(&CameraMm::of_focal_px(focal_px)))
 }
 
 /// What a block calls the camera of a photograph of this size in px: make, model, focal length and size.

@@ -3,7 +3,7 @@
 use crate::catalogue::shown;
 use crate::json::{self, JsonFault};
 use crate::{Document, Error, FileFault, FilePlace, InterestPoint, with_defaults};
-use js_sys::{Array, Float64Array, Function, JSON, Object, Reflect, Symbol, Uint8Array};
+use js_sys::{Array, Float32Array, Float64Array, Function, JSON, Object, Reflect, Symbol, Uint8Array};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -39,15 +39,33 @@ pub fn options_inside<T: DeserializeOwned + Serialize + Default>(what: &'static 
 }
 
 /// The JSON form of a value: null where it has none, as `undefined`. A number that JSON has not, which would become null and so read as
-/// absent, becomes its name and is refused.
+/// absent, becomes its name and is refused. What JSON leaves out, or has as an empty object, is refused here.
 fn parsed(value: &JsValue) -> Result<Value, JsonFault> {
-    let named = Closure::<dyn Fn(JsValue, JsValue) -> JsValue>::new(|_key, value: JsValue| match value.as_f64() {
-        Some(number) if number.is_nan() => "NaN".into(),
-        Some(number) if number.is_infinite() => (if number > 0.0 { "Infinity" } else { "-Infinity" }).into(),
-        _ => value,
+    let named = Closure::<dyn Fn(JsValue, JsValue) -> JsResult<JsValue>>::new(|key: JsValue, value: JsValue| match value.as_f64() {
+        Some(number) if number.is_nan() => Ok("NaN".into()),
+        Some(number) if number.is_infinite() => Ok((if number > 0.0 { "Infinity" } else { "-Infinity" }).into()),
+        Some(_) => Ok(value),
+        None if is_lost(&value) => {
+            let (key, kind) = (key.as_string().unwrap_or_default(), kind_of(&value));
+            let named = if key.is_empty() { kind } else { format!("{key} is a {kind}") };
+            Err(js_sys::TypeError::new(&format!("{named}, which JSON does not have")).into())
+        }
+        None => Ok(value),
     });
-    let text = JSON::stringify_with_replacer(value, named.as_ref()).ok().and_then(|text| text.as_string());
-    serde_json::from_str(text.as_deref().unwrap_or("null")).map_err(JsonFault::from)
+    let text = JSON::stringify_with_replacer(value, named.as_ref()).map_err(|threw| {
+        let words = threw.dyn_ref::<js_sys::Error>().map_or_else(|| kind_of(&threw), |error| error.message().into());
+        // Engines draw a circle in several lines.
+        JsonFault::Text { words: words.split_whitespace().collect::<Vec<_>>().join(" "), line: None, column: None }
+    })?;
+    serde_json::from_str(text.as_string().as_deref().unwrap_or("null")).map_err(JsonFault::from)
+}
+
+/// Whether nothing of a value would be left in JSON.
+fn is_lost(value: &JsValue) -> bool {
+    match value.is_object() {
+        true => tag_of(value).is_some_and(|tag| matches!(&tag[..], "Map" | "Set" | "WeakMap" | "WeakSet" | "Promise")),
+        false => value.is_function() || value.is_symbol() || value.is_bigint(),
+    }
 }
 
 /// The fault has no place, which would be that in a text that nobody wrote.
@@ -65,6 +83,9 @@ pub fn emitting<T>(
     emit: &Function,
     write: impl FnOnce(&mut dyn FnMut(&str, &str) -> Result<(), Error>) -> Result<T, Error>,
 ) -> JsResult<T> {
+    if !emit.is_function() {
+        return Err(wrong("emit", kind_of(emit), "a function"));
+    }
     let mut threw = None;
     let written = write(&mut |path, text| {
         emit.call2(&JsValue::NULL, &path.into(), &text.into()).map(|_| ()).map_err(|error| {
@@ -86,12 +107,76 @@ extern "C" {
 impl Bytes {
     /// A copy of them. `what`: what they are.
     pub fn read(&self, what: &'static str) -> JsResult<Vec<u8>> {
-        let refusal = || {
-            let (got, wanted) = (kind_of(self), "Uint8Array, Uint8ClampedArray or ArrayBuffer".into());
-            thrown(Error::InvalidArgument { what, got, wanted })
-        };
-        bytes_of(self).ok_or_else(refusal)
+        bytes_of(self).ok_or_else(|| wrong(what, kind_of(self), "Uint8Array, Uint8ClampedArray or ArrayBuffer"))
     }
+}
+
+#[wasm_bindgen]
+extern "C" {
+    /// A text of JavaScript. What arrives as `&str` would be read from wherever a value of another type leads.
+    #[wasm_bindgen(typescript_type = "string")]
+    #[derive(Clone)]
+    pub type Text;
+
+    /// A list of texts.
+    #[wasm_bindgen(typescript_type = "readonly string[]")]
+    #[derive(Clone)]
+    pub type TextList;
+
+    /// Many numbers of JavaScript. What arrives as a slice would be made of anything, as bytes would.
+    #[wasm_bindgen(typescript_type = "Float64Array | readonly number[]")]
+    #[derive(Clone)]
+    pub type Numbers;
+}
+
+impl Text {
+    /// A copy of it. `what`: what it is.
+    pub fn read(&self, what: &'static str) -> JsResult<String> {
+        self.as_string().ok_or_else(|| wrong(what, kind_of(self), "a string"))
+    }
+}
+
+impl TextList {
+    /// A copy of them. `what`: what they are.
+    pub fn read(&self, what: &'static str) -> JsResult<Vec<String>> {
+        items(self, what, "an array of strings", JsValue::as_string)
+    }
+}
+
+impl Numbers {
+    /// A copy of them. `what`: what they are.
+    pub fn read(&self, what: &'static str) -> JsResult<Vec<f64>> {
+        match tag_of(self).as_deref() {
+            Some("Float64Array") => Ok(self.unchecked_ref::<Float64Array>().to_vec()),
+            Some(
+                "Float32Array" | "Int8Array" | "Uint8Array" | "Uint8ClampedArray" | "Int16Array" | "Uint16Array" | "Int32Array"
+                | "Uint32Array",
+            ) => Ok(Float64Array::new(self).to_vec()),
+            _ => items(self, what, "Float64Array, or another array of numbers", JsValue::as_f64),
+        }
+    }
+
+    /// The same in single precision, as which they are given where they are very many.
+    pub fn read_single(&self, what: &'static str) -> JsResult<Vec<f32>> {
+        match tag_of(self).as_deref() {
+            Some("Float32Array") => Ok(self.unchecked_ref::<Float32Array>().to_vec()),
+            _ => Ok(self.read(what)?.into_iter().map(|number| number as f32).collect()),
+        }
+    }
+}
+
+/// The items of an array, each read by `read`, which gives none for what is of another type.
+fn items<T>(list: &JsValue, what: &'static str, wanted: &str, read: impl Fn(&JsValue) -> Option<T>) -> JsResult<Vec<T>> {
+    if !Array::is_array(list) {
+        return Err(wrong(what, kind_of(list), wanted));
+    }
+    let one = |(index, item)| read(&item).ok_or_else(|| wrong(what, format!("{} as item {index}", kind_of(&item)), wanted));
+    list.unchecked_ref::<Array>().iter().enumerate().map(one).collect()
+}
+
+/// The error of a value of another type.
+pub fn wrong(what: &'static str, got: String, wanted: &str) -> JsValue {
+    thrown(Error::InvalidArgument { what, got, wanted: wanted.into() })
 }
 
 /// A copy of bytes; none where a value holds none.

@@ -1,6 +1,6 @@
 //! Matches of byte descriptors.
 
-use super::convert::{Bytes, JsResult, object, read_options, thrown, whole};
+use super::convert::{Bytes, JsResult, kind_of, object, read_options, thrown, whole, wrong};
 use crate::{DescriptorMatch, Error, NearestOptions, NearestTable, nearest_matches, nearest_of};
 use js_sys::{Array, Reflect, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -66,6 +66,9 @@ pub fn join_nearest(
 
 /// The table of pieces that follow each other; absent where there are none.
 pub(super) fn read_pieces(pieces: &JsValue) -> JsResult<Option<NearestTable>> {
+    if !Array::is_array(pieces) {
+        return Err(wrong("pieces of nearest neighbours", kind_of(pieces), "an array of them"));
+    }
     let mut whole: Option<NearestTable> = None;
     for piece in Array::from(pieces).iter() {
         let next = read_piece(&piece)?;

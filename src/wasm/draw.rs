@@ -4,7 +4,7 @@
 //! current transformation. What lies outside the view is left out, and marks of one style share one path, so that many thousand
 //! points cost a few calls of `stroke` or `fill`.
 
-use super::convert::thrown;
+use super::convert::{Bytes, Numbers, TextList, thrown};
 use crate::Error;
 use wasm_bindgen::prelude::*;
 use web_sys::CanvasRenderingContext2d;
@@ -184,16 +184,18 @@ fn visible_points(points: &[f64], codes: &[u8], half_sizes: &[f64], view: &View)
 #[wasm_bindgen]
 pub fn draw_points(
     context: &CanvasRenderingContext2d,
-    points: &[f64],
-    codes: &[u8],
-    styles: &[f64],
-    colours: Vec<String>,
-    view: &[f64],
+    points: &Numbers,
+    codes: &Bytes,
+    styles: &Numbers,
+    colours: &TextList,
+    view: &Numbers,
 ) -> Result<u32, JsValue> {
-    let view = View::new("view of the points", view).map_err(thrown)?;
-    check_rows("points to draw", points, 3, codes).map_err(thrown)?;
+    let view = View::new("view of the points", &view.read("view")?).map_err(thrown)?;
+    let (points, codes) = (points.read("points")?, codes.read("codes")?);
+    let (styles, colours) = (styles.read("styles")?, colours.read("colours")?);
+    check_rows("points to draw", &points, 3, &codes).map_err(thrown)?;
     let half_sizes: Vec<f64> = styles.chunks_exact(3).map(|style| style[1]).collect();
-    let visible = visible_points(points, codes, &half_sizes, &view);
+    let visible = visible_points(&points, &codes, &half_sizes, &view);
     for ((positions, style), colour) in visible.iter().zip(styles.chunks_exact(3)).zip(&colours) {
         let shape = if style[1] < LEAST_OUTLINED { Shape::Dot } else { Shape::from_code(style[0]).map_err(thrown)? };
         context.set_fill_style_str(colour);
@@ -212,18 +214,20 @@ pub fn draw_points(
 #[wasm_bindgen]
 pub fn draw_match_lines(
     context: &CanvasRenderingContext2d,
-    matches: &[f64],
-    codes: &[u8],
-    widths: &[f64],
-    colours: Vec<String>,
-    left_view: &[f64],
-    right_view: &[f64],
+    matches: &Numbers,
+    codes: &Bytes,
+    widths: &Numbers,
+    colours: &TextList,
+    left_view: &Numbers,
+    right_view: &Numbers,
     most: u32,
 ) -> Result<u32, JsValue> {
-    let left = View::new("view of the left image", left_view).map_err(thrown)?;
-    let right = View::new("view of the right image", right_view).map_err(thrown)?;
-    check_rows("matches to draw", matches, 5, codes).map_err(thrown)?;
-    let lines = visible_lines(matches, codes, widths.len(), &left, &right, most as usize);
+    let left = View::new("view of the left image", &left_view.read("left view")?).map_err(thrown)?;
+    let right = View::new("view of the right image", &right_view.read("right view")?).map_err(thrown)?;
+    let (matches, codes) = (matches.read("matches")?, codes.read("codes")?);
+    let (widths, colours) = (widths.read("widths")?, colours.read("colours")?);
+    check_rows("matches to draw", &matches, 5, &codes).map_err(thrown)?;
+    let lines = visible_lines(&matches, &codes, widths.len(), &left, &right, most as usize);
     for (code, (width, colour)) in widths.iter().zip(&colours).enumerate() {
         context.set_stroke_style_str(colour);
         context.set_line_width(*width);
@@ -254,18 +258,20 @@ fn visible_lines(matches: &[f64], codes: &[u8], styles: usize, left: &View, righ
 #[wasm_bindgen]
 pub fn draw_vectors(
     context: &CanvasRenderingContext2d,
-    vectors: &[f64],
-    codes: &[u8],
-    widths: &[f64],
-    colours: Vec<String>,
+    vectors: &Numbers,
+    codes: &Bytes,
+    widths: &Numbers,
+    colours: &TextList,
     factor: f64,
-    view: &[f64],
+    view: &Numbers,
 ) -> Result<u32, JsValue> {
-    let view = View::new("view of the vectors", view).map_err(thrown)?;
-    check_rows("vectors to draw", vectors, 4, codes).map_err(thrown)?;
+    let view = View::new("view of the vectors", &view.read("view")?).map_err(thrown)?;
+    let (vectors, codes) = (vectors.read("vectors")?, codes.read("codes")?);
+    let (widths, colours) = (widths.read("widths")?, colours.read("colours")?);
+    check_rows("vectors to draw", &vectors, 4, &codes).map_err(thrown)?;
     let mut drawn = 0;
     for (code, (width, colour)) in widths.iter().zip(&colours).enumerate() {
-        let arrows = visible_arrows(vectors, codes, code, factor, &view);
+        let arrows = visible_arrows(&vectors, &codes, code, factor, &view);
         context.set_stroke_style_str(colour);
         context.set_line_width(*width);
         in_batches(context, &arrows, false, |&[from, to]| trace_arrow(context, from, to));

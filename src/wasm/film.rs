@@ -1,6 +1,6 @@
 //! Scans of film as blocks take them.
 
-use super::convert::{Bytes, JsResult, numbers, object, pack, read, read_options, rows, set, thrown};
+use super::convert::{Bytes, JsResult, Numbers, Text, numbers, object, pack, read, read_options, rows, set, thrown};
 use crate::formats::image_measurement_table as table;
 use crate::{
     CameraRule, Error, ExifImage, FilmInput, FilmScan, FrameOfScan, ImageMeasurementRow, decode_scan, film_cameras as cameras,
@@ -130,12 +130,12 @@ pub fn film_pattern(
 /// whose names fit `pattern`, as `film_pattern` gives it.
 #[wasm_bindgen(unchecked_return_type = "CameraRule[]")]
 pub fn film_cameras(
-    pattern: &str,
+    pattern: &Text,
     #[wasm_bindgen(unchecked_param_type = "CameraRule[]")] rules: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "CameraRule[]")] given: &JsValue,
 ) -> JsResult<JsValue> {
     let (rules, given): (Vec<CameraRule>, Vec<CameraRule>) = (read("rules", rules)?, read("given", given)?);
-    Ok(pack(&cameras(pattern, &rules, &given)))
+    Ok(pack(&cameras(&pattern.read("pattern")?, &rules, &given)))
 }
 
 /// Positions of a scan in its frame, or of a frame in its scan: x, y, x, y … in px, the centre of the top-left pixel at (0.5, 0.5). NaN where there is none,
@@ -143,17 +143,19 @@ pub fn film_cameras(
 #[wasm_bindgen(unchecked_return_type = "Float64Array")]
 pub fn film_positions(
     #[wasm_bindgen(unchecked_param_type = "FilmScan")] scan: &JsValue,
-    positions: &[f64],
-    #[wasm_bindgen(unchecked_param_type = "'frame' | 'scan'")] to: &str,
+    positions: &Numbers,
+    #[wasm_bindgen(unchecked_param_type = "'frame' | 'scan'")] to: &Text,
 ) -> JsResult<JsValue> {
     let scan: FilmScan = read("scan", scan)?;
-    let to_frame = match to {
+    let positions = positions.read("positions")?;
+    let to = to.read("to")?;
+    let to_frame = match &to[..] {
         "frame" => true,
         "scan" => false,
-        _ => return Err(thrown(Error::InvalidArgument { what: "to", got: to.into(), wanted: "frame or scan".into() })),
+        _ => return Err(thrown(Error::InvalidArgument { what: "to", got: to, wanted: "frame or scan".into() })),
     };
     let led = |at: &[f64; 2]| if to_frame { scan.shown_in_frame(*at) } else { scan.in_scan(*at) };
-    Ok(numbers(rows::<2>("positions", positions)?.iter().flat_map(|at| led(at).unwrap_or([f64::NAN; 2]))))
+    Ok(numbers(rows::<2>("positions", &positions)?.iter().flat_map(|at| led(at).unwrap_or([f64::NAN; 2]))))
 }
 
 /// Takes image measurements that were made in scans into their frames.

@@ -1,6 +1,6 @@
 //! Geometry of two views, and matching that it guides.
 
-use super::convert::{Bytes, JsResult, pack, read_options, rows, set, thrown};
+use super::convert::{Bytes, JsResult, Numbers, pack, read_options, rows, set, thrown};
 use super::descriptors::pack_matches;
 use crate::{Error, Guide, GuidedOptions, Located, TwoViewOptions, guided_matches as match_guided, two_view as relate};
 use js_sys::{Reflect, Uint32Array};
@@ -18,9 +18,9 @@ export type MatchGuide = { fundamental: Float64Array | number[] } | { homography
 
 /// The geometry of two images from matches x, y left, x, y right in px (stride 4), of which many may be wrong.
 #[wasm_bindgen(unchecked_return_type = "TwoViewResult")]
-pub fn two_view(points: &[f64], #[wasm_bindgen(unchecked_param_type = "Given<TwoViewOptions>")] options: &JsValue) -> JsResult<JsValue> {
+pub fn two_view(points: &Numbers, #[wasm_bindgen(unchecked_param_type = "Given<TwoViewOptions>")] options: &JsValue) -> JsResult<JsValue> {
     let options: TwoViewOptions = read_options("geometry", options)?;
-    let found = relate(rows::<4>("matches", points)?, &options).map_err(thrown)?;
+    let found = relate(rows::<4>("matches", &points.read("matches")?)?, &options).map_err(thrown)?;
     let inliers: Vec<u32> = found.inliers.iter().map(|k| *k as u32).collect();
     let packed = pack(&found);
     set(&packed, "inliers", &Uint32Array::from(&inliers[..]).unchecked_into());
@@ -30,17 +30,18 @@ pub fn two_view(points: &[f64], #[wasm_bindgen(unchecked_param_type = "Given<Two
 /// Matches byte descriptors near the epipolar line, or the place, of each left point: positions x, y in px (stride 2), 128 bytes each.
 #[wasm_bindgen(unchecked_return_type = "DescriptorMatches")]
 pub fn match_guided_descriptors(
-    left_positions: &[f64],
+    left_positions: &Numbers,
     left_descriptors: &Bytes,
-    right_positions: &[f64],
+    right_positions: &Numbers,
     right_descriptors: &Bytes,
     #[wasm_bindgen(unchecked_param_type = "MatchGuide")] guide: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Given<GuidedOptions>")] options: &JsValue,
 ) -> JsResult<JsValue> {
     let (guide, options) = (read_guide(guide)?, read_options::<GuidedOptions>("guided", options)?);
     let (left_bytes, right_bytes) = (left_descriptors.read("left descriptors")?, right_descriptors.read("right descriptors")?);
-    let left = Located { positions: rows::<2>("left positions", left_positions)?, descriptors: &left_bytes };
-    let right = Located { positions: rows::<2>("right positions", right_positions)?, descriptors: &right_bytes };
+    let (left_positions, right_positions) = (left_positions.read("left positions")?, right_positions.read("right positions")?);
+    let left = Located { positions: rows::<2>("left positions", &left_positions)?, descriptors: &left_bytes };
+    let right = Located { positions: rows::<2>("right positions", &right_positions)?, descriptors: &right_bytes };
     match_guided(left, right, &guide, &options).map(|matches| pack_matches(&matches)).map_err(thrown)
 }
 

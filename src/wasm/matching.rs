@@ -1,6 +1,6 @@
 //! Offsets and matches between two sets of points.
 
-use super::convert::{Bytes, JsResult, numbers, object, pack, points, read, read_options, rows, set, thrown, whole};
+use super::convert::{Bytes, JsResult, Numbers, numbers, object, pack, points, read, read_options, rows, set, thrown, whole};
 use super::descriptors::read_pieces;
 use super::orientation::pack_oriented;
 use super::photo::{Photo, pack_points, read_mask};
@@ -94,10 +94,10 @@ pub fn constant_offset(dx: f64, dy: f64) -> JsResult<JsValue> {
 /// Matches described points: points of stride 3, descriptors of stride 7.
 #[wasm_bindgen(unchecked_return_type = "MatchResult")]
 pub fn match_points(
-    left_points: &[f64],
-    left_descriptors: &[f64],
-    right_points: &[f64],
-    right_descriptors: &[f64],
+    left_points: &Numbers,
+    left_descriptors: &Numbers,
+    right_points: &Numbers,
+    right_descriptors: &Numbers,
     #[wasm_bindgen(unchecked_param_type = "OffsetField")] offset: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Given<MatchOptions>")] options: &JsValue,
 ) -> JsResult<JsValue> {
@@ -171,10 +171,10 @@ pub fn epipolar_line(
 #[wasm_bindgen]
 pub fn candidates(
     index: f64,
-    left_points: &[f64],
-    left_descriptors: &[f64],
-    right_points: &[f64],
-    right_descriptors: &[f64],
+    left_points: &Numbers,
+    left_descriptors: &Numbers,
+    right_points: &Numbers,
+    right_descriptors: &Numbers,
     #[wasm_bindgen(unchecked_param_type = "OffsetField")] offset: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Given<MatchOptions>")] options: &JsValue,
 ) -> JsResult<Vec<f64>> {
@@ -285,10 +285,11 @@ struct Described {
 }
 
 impl Described {
-    fn read(point_list: &[f64], descriptors: &[f64]) -> JsResult<Self> {
-        let descriptors = rows::<7>("descriptors", descriptors)?;
+    fn read(point_list: &Numbers, descriptors: &Numbers) -> JsResult<Self> {
+        let (point_list, descriptors) = (point_list.read("points")?, descriptors.read("descriptors")?);
+        let descriptors = rows::<7>("descriptors", &descriptors)?;
         let descriptors = descriptors.iter().map(|d| d.iter().all(|v| v.is_finite()).then_some(*d)).collect();
-        Ok(Self { points: points("points", point_list)?, descriptors })
+        Ok(Self { points: points("points", &point_list)?, descriptors })
     }
 
     fn parts(&self) -> crate::Described<'_> {
@@ -299,11 +300,11 @@ impl Described {
 /// Points with what the strategy compares them by.
 pub(super) fn read_points(value: &JsValue) -> JsResult<DescribedImage> {
     let field = |name: &str| Reflect::get(value, &name.into()).ok().filter(|found| !found.is_undefined() && !found.is_null());
-    let floats = |name: &str| field(name).map_or(Vec::new(), |found| js_sys::Float64Array::new(&found).to_vec());
-    let (frames, moments) = (floats("frames"), floats("moments"));
+    let floats = |name| field(name).map_or(Ok(Vec::new()), |found| found.unchecked_ref::<Numbers>().read(name));
+    let (frames, moments) = (floats("frames")?, floats("moments")?);
     let (frames, moments) = (rows::<2>("frames", &frames)?, rows::<7>("moments", &moments)?);
     let set = PointSet {
-        points: points("points", &floats("points"))?,
+        points: points("points", &field("points").unwrap_or_default().unchecked_ref::<Numbers>().read("points")?)?,
         frames: frames
             .iter()
             .map(|[scale_px, orientation_rad]| LocalFrame { scale_px: *scale_px, orientation_rad: *orientation_rad })
@@ -312,7 +313,7 @@ pub(super) fn read_points(value: &JsValue) -> JsResult<DescribedImage> {
         threshold: 0.0,
     };
     let moments = moments.iter().map(|d| d.iter().all(|v| v.is_finite()).then_some(*d)).collect();
-    let gradients = field("gradients").map_or(Vec::new(), |found| Uint8Array::new(&found).to_vec());
+    let gradients = field("gradients").map_or(Ok(Vec::new()), |found| found.unchecked_ref::<Bytes>().read("gradients"))?;
     Ok(DescribedImage { set, moments, gradients })
 }
 

@@ -1,6 +1,6 @@
 //! The texts of messages.
 
-use super::convert::{JsResult, read, thrown};
+use super::convert::{JsResult, Text, read, thrown};
 use crate::{Error, Texts};
 use serde_json::Value;
 use wasm_bindgen::JsValue;
@@ -50,13 +50,15 @@ export function message<F extends keyof Messages>(family: F, message: Messages[F
 /// The text of a message, or, by its name, another text that belongs to it, as its `label`; in English, or in the language of a tag (`ar`)
 /// that there is a catalogue of.
 #[wasm_bindgen(skip_typescript)]
-pub fn message(family: &str, message: &JsValue, attribute: Option<String>, language: Option<String>) -> JsResult<String> {
-    let (message, attribute) = (read::<Value>("message", message)?, attribute.as_deref());
-    let id = Texts::id_of(family, &message);
+pub fn message(family: &Text, message: &JsValue, attribute: Option<Text>, language: Option<Text>) -> JsResult<String> {
+    let (family, message) = (family.read("family")?, read::<Value>("message", message)?);
+    let attribute = attribute.map(|attribute| attribute.read("attribute")).transpose()?;
+    let language = language.map(|language| language.read("language")).transpose()?;
+    let (attribute, id) = (attribute.as_deref(), Texts::id_of(&family, &message));
     if !Texts::english().has(&id, attribute) {
         let got = attribute.map_or(id.clone(), |attribute| format!("{id}.{attribute}"));
         let wanted = "a family of messages, and one that belongs to it".into();
         return Err(thrown(Error::InvalidArgument { what: "message", got, wanted }));
     }
-    Ok(Texts::of(language.as_deref().unwrap_or("en")).text_of(family, &message, attribute))
+    Ok(Texts::of(language.as_deref().unwrap_or("en")).text_of(&family, &message, attribute))
 }

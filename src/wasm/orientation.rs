@@ -1,6 +1,6 @@
 //! Interior and relative orientation.
 
-use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, set, thrown, whole};
+use super::convert::{JsResult, Numbers, numbers, object, pack, read, read_options, rows, set, thrown, whole};
 use crate::{
     CameraMm, Error, ExifCamera, Fiducial, FiducialModel, Fit, Interior, KnownPhoto, Match, ModelPoint, Observation, OneImage,
     OrientationOptions, PairCameras, PairInterior, PairVerdict, PhotoInput, PointStatistics, RelativeOrientation, TwoView, judged,
@@ -102,7 +102,7 @@ pub fn assumed_interior(
 /// Why matches (stride 5) between images of these sizes in px have no base: they are one photo twice, or parts of one image. Null where
 /// they are neither.
 #[wasm_bindgen(unchecked_return_type = "NoOrientation | null")]
-pub fn one_image(matches: &[f64], left_width: f64, left_height: f64, right_width: f64, right_height: f64) -> JsResult<JsValue> {
+pub fn one_image(matches: &Numbers, left_width: f64, left_height: f64, right_width: f64, right_height: f64) -> JsResult<JsValue> {
     let positions = positions_of(matches)?;
     let size = |width, height| Ok::<_, JsValue>((whole("width", width)?, whole("height", height)?));
     let sizes = [size(left_width, left_height)?, size(right_width, right_height)?];
@@ -110,8 +110,8 @@ pub fn one_image(matches: &[f64], left_width: f64, left_height: f64, right_width
 }
 
 /// The positions of matches (stride 5).
-fn positions_of(matches: &[f64]) -> JsResult<Vec<[f64; 4]>> {
-    Ok(rows::<5>("matches", matches)?.iter().map(|[xl, yl, xr, yr, _]| [*xl, *yl, *xr, *yr]).collect())
+fn positions_of(matches: &Numbers) -> JsResult<Vec<[f64; 4]>> {
+    Ok(rows::<5>("matches", &matches.read("matches")?)?.iter().map(|[xl, yl, xr, yr, _]| [*xl, *yl, *xr, *yr]).collect())
 }
 
 /// The interior orientation of an image: from its fiducials, or from the camera's pixel size.
@@ -138,7 +138,7 @@ pub fn scaled_interior(#[wasm_bindgen(unchecked_param_type = "Interior")] interi
 /// Photo coordinates x, y left, x, y right in mm (stride 4) of matches (stride 5).
 #[wasm_bindgen]
 pub fn observations(
-    matches: &[f64],
+    matches: &Numbers,
     #[wasm_bindgen(unchecked_param_type = "Interior")] left: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Interior")] right: &JsValue,
 ) -> JsResult<Vec<f64>> {
@@ -151,15 +151,16 @@ pub fn observations(
 /// of weight 1), with the verdict on it. `points`: how many the left and the right image have, where they were matched. The total standard errors hold those of the interior orientations, where these have covariances.
 #[wasm_bindgen(unchecked_return_type = "OrientedPair")]
 pub fn orient_matches(
-    matches: &[f64],
-    fits: &[f64],
+    matches: &Numbers,
+    fits: &Numbers,
     #[wasm_bindgen(unchecked_param_type = "PairInterior")] interior: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Given<OrientationOptions>")] options: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "[number, number]")] points: &JsValue,
 ) -> JsResult<JsValue> {
     let points: Option<[usize; 2]> = if points.is_undefined() { None } else { read("points", points)? };
     let (interior, options): (PairInterior, OrientationOptions) = (read("interior", interior)?, read_options("orientation", options)?);
-    let (rows, fits) = (rows::<5>("matches", matches)?, rows::<5>("fits", fits)?);
+    let (matches, fits) = (matches.read("matches")?, fits.read("fits")?);
+    let (rows, fits) = (rows::<5>("matches", &matches)?, rows::<5>("fits", &fits)?);
     if !fits.is_empty() && fits.len() != rows.len() {
         let got = format!("{} fits for {} matches", fits.len(), rows.len());
         return Err(thrown(Error::InvalidArgument { what: "fits", got, wanted: "one for each match, or none".into() }));
@@ -183,13 +184,13 @@ pub fn orient_matches(
 /// Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1.
 #[wasm_bindgen(unchecked_return_type = "RelativeOrientation")]
 pub fn orient_relative(
-    observations: &[f64],
+    observations: &Numbers,
     focal_mm: f64,
     #[wasm_bindgen(unchecked_param_type = "Given<OrientationOptions>")] options: &JsValue,
-    weights: Option<Vec<f64>>,
+    weights: Option<Numbers>,
 ) -> JsResult<JsValue> {
     let options: OrientationOptions = read_options("orientation", options)?;
-    orient_pair(&weighted(observations, weights.as_deref())?, focal_mm, &options).map(|o| pack_orientation(&o)).map_err(thrown)
+    orient_pair(&weighted(observations, weights)?, focal_mm, &options).map(|o| pack_orientation(&o)).map_err(thrown)
 }
 
 /// Object points of observations (stride 4) that are oriented as `orient_relative` does: X, Y, Z, their standard errors (NaN where there are
@@ -197,14 +198,14 @@ pub fn orient_relative(
 /// the unit that the points shall have; 1: the base is the unit.
 #[wasm_bindgen]
 pub fn model_points(
-    observations: &[f64],
+    observations: &Numbers,
     focal_mm: f64,
     #[wasm_bindgen(unchecked_param_type = "Given<OrientationOptions>")] options: &JsValue,
     base: f64,
-    weights: Option<Vec<f64>>,
+    weights: Option<Numbers>,
 ) -> JsResult<Vec<f64>> {
     let options: OrientationOptions = read_options("orientation", options)?;
-    let observations = weighted(observations, weights.as_deref())?;
+    let observations = weighted(observations, weights)?;
     let orientation = orient_pair(&observations, focal_mm, &options).map_err(thrown)?;
     let points = points_of(&orientation, &observations, base).map_err(thrown)?;
     let row = |point: Option<ModelPoint>| {
@@ -216,13 +217,15 @@ pub fn model_points(
 }
 
 /// Observations of stride 4 with their weights, or all of weight 1.
-fn weighted(observations: &[f64], weights: Option<&[f64]>) -> JsResult<Vec<Observation>> {
-    let rows = rows::<4>("observations", observations)?;
-    if let Some(weights) = weights.filter(|weights| weights.len() != rows.len()) {
+fn weighted(observations: &Numbers, weights: Option<Numbers>) -> JsResult<Vec<Observation>> {
+    let observations = observations.read("observations")?;
+    let weights = weights.map(|weights| weights.read("weights")).transpose()?;
+    let rows = rows::<4>("observations", &observations)?;
+    if let Some(weights) = weights.as_ref().filter(|weights| weights.len() != rows.len()) {
         let got = format!("{} weights for {} observations", weights.len(), rows.len());
         return Err(thrown(Error::InvalidArgument { what: "weights", got, wanted: "one weight for each observation".into() }));
     }
-    let weight = |k: usize| weights.map_or(1.0, |weights| weights[k]);
+    let weight = |k: usize| weights.as_ref().map_or(1.0, |weights| weights[k]);
     let of = |(k, [xl, yl, xr, yr]): (usize, &[f64; 4])| Observation { left: [*xl, *yl], right: [*xr, *yr], weight: weight(k) };
     Ok(rows.iter().enumerate().map(of).collect())
 }

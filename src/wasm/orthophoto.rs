@@ -1,6 +1,8 @@
 //! Images placed on an orthophoto.
 
-use super::convert::{Bytes, JsResult, bytes_of, object, options_inside, pack, read, read_options, thrown, whole, wrong_project};
+use super::convert::{
+    Bytes, JsResult, Numbers, Text, TextList, bytes_of, object, options_inside, pack, read, read_options, thrown, whole, wrong_project,
+};
 use super::file_in_parts::file_source;
 use super::finished::FinishedBlock;
 use crate::catalogue::check_call;
@@ -165,16 +167,17 @@ impl OrthophotoReference {
     #[wasm_bindgen(unchecked_return_type = "PlacedImage")]
     pub fn place(
         &mut self,
-        name: &str,
+        name: &Text,
         file: &Bytes,
-        cameras: Option<String>,
+        cameras: Option<Text>,
         #[wasm_bindgen(unchecked_optional_param_type = "Given<FilmInput> | null")] film: &JsValue,
     ) -> JsResult<JsValue> {
+        let (name, cameras) = (name.read("name")?, cameras.map(|cameras| cameras.read("cameras")).transpose()?);
         let (file, film) = (&file.read("file of the image")?[..], read_film(film)?);
         let rules = CameraRules::read(cameras.as_deref()).map_err(thrown)?;
         let image = decode(file, &limits_of(film.is_some())).map_err(thrown)?.grey;
         let exif = ExifImage::read(file, image.width() as u64, image.height() as u64);
-        let camera = PlacingCamera::of(&rules, name, [image.width() as u32, image.height() as u32], &exif);
+        let camera = PlacingCamera::of(&rules, &name, [image.width() as u32, image.height() as u32], &exif);
         let area = self.taken_area()?;
         let (grey, position) = (image.view(), exif.position.as_ref());
         let placed = match &film {
@@ -214,8 +217,13 @@ impl OrthophotoReference {
 
     /// Orients an image by links that are given, in their order; nothing is matched.
     #[wasm_bindgen(unchecked_return_type = "PlacedImage")]
-    pub fn adjust(&self, name: &str, file: &Bytes, #[wasm_bindgen(unchecked_param_type = "ByLinks")] given: &JsValue) -> JsResult<JsValue> {
-        let file = &file.read("file of the image")?[..];
+    pub fn adjust(
+        &self,
+        name: &Text,
+        file: &Bytes,
+        #[wasm_bindgen(unchecked_param_type = "ByLinks")] given: &JsValue,
+    ) -> JsResult<JsValue> {
+        let (name, file) = (name.read("name")?, &file.read("file of the image")?[..]);
         let ByLinks { links, placement, cameras, options, film } = read("links", given)?;
         let film: Option<FilmInput> = options_inside("film", film)?;
         let options = options_inside("placing", options)?.unwrap_or_else(|| self.options.clone());
@@ -237,7 +245,7 @@ impl OrthophotoReference {
             let placed = place_film_by_links(&scan, position, &self.orthophoto, placement.as_ref(), &links, &options);
             return placed.map(|placed| pack(&placed)).map_err(thrown);
         }
-        let camera = PlacingCamera::of(&rules, name, size, &exif);
+        let camera = PlacingCamera::of(&rules, &name, size, &exif);
         place_by_links(&camera, position, &self.orthophoto, placement.as_ref(), &links, &options)
             .map(|placed| pack(&placed))
             .map_err(thrown)
@@ -257,10 +265,10 @@ impl OrthophotoReference {
     pub fn image_positions(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Placement")] placement: &JsValue,
-        places: &[f64],
+        places: &Numbers,
     ) -> JsResult<Vec<f64>> {
         let placement: Placement = read("placement", placement)?;
-        let positions = image_positions(&placement, &self.orthophoto.heights, pairs("places", places)?);
+        let positions = image_positions(&placement, &self.orthophoto.heights, pairs("places", &places.read("places")?)?);
         Ok(positions.into_iter().flat_map(|at| at.unwrap_or([f64::NAN; 2])).collect())
     }
 
@@ -268,16 +276,16 @@ impl OrthophotoReference {
     pub fn ground_positions(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Placement")] placement: &JsValue,
-        positions: &[f64],
+        positions: &Numbers,
     ) -> JsResult<Vec<f64>> {
         let placement: Placement = read("placement", placement)?;
-        let ground = ground_positions(&placement, &self.orthophoto.heights, pairs("positions", positions)?);
+        let ground = ground_positions(&placement, &self.orthophoto.heights, pairs("positions", &positions.read("positions")?)?);
         Ok(ground.into_iter().flat_map(|place| place.unwrap_or([f64::NAN; 3])).collect())
     }
 
     /// The heights of places X, Y, stride 2; no number where there is none.
-    pub fn heights_at(&self, places: &[f64]) -> JsResult<Vec<f64>> {
-        Ok(pairs("places", places)?.iter().map(|place| self.orthophoto.heights.at(*place).unwrap_or(f64::NAN)).collect())
+    pub fn heights_at(&self, places: &Numbers) -> JsResult<Vec<f64>> {
+        Ok(pairs("places", &places.read("places")?)?.iter().map(|place| self.orthophoto.heights.at(*place).unwrap_or(f64::NAN)).collect())
     }
 
     /// A placed image resampled to the ground, in its colours, as GeoTIFF.
@@ -388,10 +396,10 @@ pub fn check_heights(
 /// The tables of images that were placed: of the images, and of their links.
 #[wasm_bindgen(unchecked_return_type = "{ placed: string; links: string }")]
 pub fn placed_tables(
-    names: Vec<String>,
+    names: &TextList,
     #[wasm_bindgen(unchecked_param_type = "readonly PlacedImage[]")] placed: &JsValue,
 ) -> JsResult<JsValue> {
-    let placed: Vec<PlacedImage> = read("placed images", placed)?;
+    let (names, placed): (_, Vec<PlacedImage>) = (names.read("names")?, read("placed images", placed)?);
     if names.len() != placed.len() {
         let got = format!("{} names for {} placed images", names.len(), placed.len());
         return Err(thrown(Error::InvalidArgument { what: "names", got, wanted: "one for each placed image".into() }));

@@ -1,6 +1,6 @@
 //! An image in wasm memory, and what is found in it.
 
-use super::convert::{Bytes, JsResult, numbers, object, pack, points, read, read_options, set, thrown, whole};
+use super::convert::{Bytes, JsResult, Numbers, Text, numbers, object, pack, points, read, read_options, set, thrown, whole};
 use crate::{
     Bands, DecodeLimits, Decoded, DroneRecord, Error, ExifCamera, GreyImage, GreyView, PairImage, PairSettings, PointSet, Reduced,
     ReportImage, Strategy, WindowOptions, decode, describe, describe_image, detect, reduce_to, window_moments,
@@ -61,8 +61,8 @@ pub struct Photo {
 /// Why a file is refused whose first bytes, or the ending of whose name where these say nothing, are those of a kind that is not decoded (HEIC, raw, film, …);
 /// null for all others. 64 bytes tell every kind but raw files that are TIFFs.
 #[wasm_bindgen(unchecked_return_type = "{ kind: string } | null")]
-pub fn refused_kind(name: &str, start: &Bytes) -> JsResult<JsValue> {
-    Ok(pack(&crate::refused_kind(name, &start.read("start of the file")?)))
+pub fn refused_kind(name: &Text, start: &Bytes) -> JsResult<JsValue> {
+    Ok(pack(&crate::refused_kind(&name.read("name")?, &start.read("start of the file")?)))
 }
 
 #[wasm_bindgen]
@@ -148,13 +148,13 @@ impl Photo {
     /// Empty for the strategies that compare grey values.
     pub fn describe(
         &self,
-        point_list: &[f64],
+        point_list: &Numbers,
         #[wasm_bindgen(unchecked_param_type = "Given<WindowOptions>")] window: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Strategy")] strategy: &JsValue,
     ) -> JsResult<Vec<f64>> {
         let (window, strategy): (WindowOptions, Strategy) = (read_options("window", window)?, read("strategy", strategy)?);
         let Some(measure) = strategy.measure() else { return Ok(Vec::new()) };
-        let described = describe(self.grey.view(), &points("points", point_list)?, &window, measure).map_err(thrown)?;
+        let described = describe(self.grey.view(), &points("points", &point_list.read("points")?)?, &window, measure).map_err(thrown)?;
         Ok(described.into_iter().flat_map(|d| d.unwrap_or([f64::NAN; 7])).collect())
     }
 

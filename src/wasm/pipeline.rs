@@ -1,6 +1,6 @@
 //! The run of a block: jobs out, bytes in.
 
-use super::convert::{Bytes, JsResult, object, pack, read, read_options, thrown};
+use super::convert::{Bytes, JsResult, Text, TextList, kind_of, object, pack, read, read_options, thrown, wrong};
 use super::finished::FinishedBlock;
 use crate::{
     CameraRules, ControlTables, Document, Error, Failure, GeoreferencingOptions, Run as Pipeline, RunInput, Task, execute, json, masks_of,
@@ -48,8 +48,8 @@ impl Run {
 
     /// What is to be done for a job whose files have these digests, SHA-256 in hexadecimal digits.
     #[wasm_bindgen(unchecked_return_type = "Work")]
-    pub fn prepare(&mut self, id: u32, digests: Vec<String>) -> JsResult<JsValue> {
-        let work = self.run.prepare(id, &digests).map_err(thrown)?;
+    pub fn prepare(&mut self, id: u32, digests: &TextList) -> JsResult<JsValue> {
+        let work = self.run.prepare(id, &digests.read("digests")?).map_err(thrown)?;
         let task = work.task.map(|task| serde_json::to_string(&task).expect("plain data has a JSON form"));
         Ok(object([
             ("key", pack(&work.key)),
@@ -88,17 +88,21 @@ impl Run {
 
 /// Does the task of a job: the same bytes give the same bytes, on every machine.
 #[wasm_bindgen]
-pub fn execute_job(task: &str, #[wasm_bindgen(unchecked_param_type = "readonly Uint8Array[]")] inputs: &Array) -> JsResult<Vec<u8>> {
+pub fn execute_job(task: &Text, #[wasm_bindgen(unchecked_param_type = "readonly Uint8Array[]")] inputs: &Array) -> JsResult<Vec<u8>> {
     let unreadable = |json_fault| thrown(Error::InvalidJson { document: Document::Task, json_fault });
-    let task: Task = json::from_text(task).map_err(unreadable)?;
+    let task: Task = json::from_text(&task.read("task")?).map_err(unreadable)?;
+    if !Array::is_array(inputs) {
+        return Err(wrong("inputs", kind_of(inputs), "an array of Uint8Array"));
+    }
     let inputs = inputs.iter().map(|bytes| bytes.unchecked_ref::<Bytes>().read("inputs")).collect::<JsResult<Vec<_>>>()?;
     execute(&task, &inputs.iter().map(Vec::as_slice).collect::<Vec<_>>()).map_err(thrown)
 }
 
 /// Refuses a file of cameras that cannot be read, or fits no image of these names, where there are any.
 #[wasm_bindgen]
-pub fn check_cameras(text: &str, names: Vec<String>) -> JsResult<()> {
-    let rules = CameraRules::read(Some(text)).map_err(thrown)?;
+pub fn check_cameras(text: &Text, names: &TextList) -> JsResult<()> {
+    let (text, names) = (text.read("text")?, names.read("names")?);
+    let rules = CameraRules::read(Some(&text)).map_err(thrown)?;
     if names.is_empty() { Ok(()) } else { rules.unused(&names).map(|_| ()).map_err(thrown) }
 }
 
@@ -106,25 +110,26 @@ pub fn check_cameras(text: &str, names: Vec<String>) -> JsResult<()> {
 /// whether one places the block afterwards.
 #[wasm_bindgen]
 pub fn check_control(
-    points: &str,
-    marks: &str,
-    names: Vec<String>,
+    points: &Text,
+    marks: &Text,
+    names: &TextList,
     #[wasm_bindgen(unchecked_param_type = "GeoreferencingOptions")] placing: &JsValue,
     on_orthophoto: Option<bool>,
 ) -> JsResult<()> {
+    let (points, marks, names) = (points.read("points")?, marks.read("marks")?, names.read("names")?);
     let placing: GeoreferencingOptions = read("placing", placing)?;
-    ControlTables::read(points, marks).and_then(|tables| tables.check(&names, &placing, on_orthophoto.unwrap_or(false))).map_err(thrown)
+    ControlTables::read(&points, &marks).and_then(|tables| tables.check(&names, &placing, on_orthophoto.unwrap_or(false))).map_err(thrown)
 }
 
 /// Refuses the file of a geoid beside its height, and one without a coordinate system whose heights count from it.
 #[wasm_bindgen]
-pub fn check_geoid(name: &str, #[wasm_bindgen(unchecked_param_type = "GeoreferencingOptions")] placing: &JsValue) -> JsResult<()> {
-    read::<GeoreferencingOptions>("placing", placing)?.check_geoid(Some(name)).map_err(thrown)
+pub fn check_geoid(name: &Text, #[wasm_bindgen(unchecked_param_type = "GeoreferencingOptions")] placing: &JsValue) -> JsResult<()> {
+    read::<GeoreferencingOptions>("placing", placing)?.check_geoid(Some(&name.read("name")?)).map_err(thrown)
 }
 
 /// The index of the mask of each image, by their names; -1 for an image without one. Refuses two masks of one image.
 #[wasm_bindgen]
-pub fn masks_of_images(names: Vec<String>, masks: Vec<String>) -> JsResult<Vec<i32>> {
-    let (of, _) = masks_of(&names, &masks).map_err(thrown)?;
+pub fn masks_of_images(names: &TextList, masks: &TextList) -> JsResult<Vec<i32>> {
+    let (of, _) = masks_of(&names.read("names")?, &masks.read("masks")?).map_err(thrown)?;
     Ok(of.into_iter().map(|mask| mask.map_or(-1, |index| index as i32)).collect())
 }

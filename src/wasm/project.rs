@@ -1,13 +1,13 @@
 //! The project file of a pair, which is plain data on either side; that of a block is written and opened by `FinishedBlock`.
 
-use super::convert::{Bytes, JsResult, object, pack, read, read_options, rows, set, thrown, wrong_project};
+use super::convert::{Bytes, JsResult, Numbers, object, pack, read, read_options, rows, set, thrown, wrong_project};
 use super::matching::{pack_matches, pack_pair, read_points};
 use super::simulate::{pack_score, read_score};
 use crate::{
     Error, FileFault, Fit, Match, MatchSet, PairEdits, PairPhoto, PairResult, PairRun, PairTruth, PointSet, PointStatistics, Project,
     RelativeOrientation, Rule, TwoView, Verdict, project_kind as kind_of, read_project, write_pair_project as write,
 };
-use js_sys::{Array, Float64Array, Int32Array, Object, Reflect, Uint8Array, Uint32Array};
+use js_sys::{Array, Int32Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -107,8 +107,8 @@ fn present(value: &JsValue, name: &str) -> Option<JsValue> {
     Some(field(value, name)).filter(|found| !found.is_null() && !found.is_undefined())
 }
 
-fn floats(value: &JsValue, name: &str) -> Vec<f64> {
-    Float64Array::new(&field(value, name)).to_vec()
+fn floats(value: &JsValue, name: &'static str) -> JsResult<Vec<f64>> {
+    field(value, name).unchecked_ref::<Numbers>().read(name)
 }
 
 /// The opposite of `pack_pair`.
@@ -142,7 +142,8 @@ fn read_set(value: &JsValue) -> JsResult<PointSet> {
 
 /// The opposite of `pack_matches`.
 fn read_matches(value: &JsValue) -> JsResult<MatchSet> {
-    let [matches, fits, places, measures] = ["matches", "fits", "places", "measures"].map(|name| floats(value, name));
+    let (matches, fits) = (floats(value, "matches")?, floats(value, "fits")?);
+    let (places, measures) = (floats(value, "places")?, floats(value, "measures")?);
     let (matches, fits) = (rows::<5>("matches", &matches)?, rows::<5>("fits", &fits)?);
     let (places, measures) = (rows::<2>("places", &places)?, rows::<2>("measures", &measures)?);
     let indices = Uint32Array::new(&field(value, "indices")).to_vec();
@@ -175,14 +176,14 @@ fn read_matches(value: &JsValue) -> JsResult<MatchSet> {
 
 /// The opposite of `pack_orientation`.
 fn read_orientation(value: &JsValue) -> JsResult<RelativeOrientation> {
-    let points = floats(value, "points");
+    let points = floats(value, "points")?;
     let statistics = |row: &[f64; 9]| {
         let [parallax_mm, redundancy, w, detectable_mm, influence, weight, x, y, z] = *row;
         let model_mm = (!x.is_nan()).then_some([x, y, z]);
         (!parallax_mm.is_nan()).then_some(PointStatistics { parallax_mm, redundancy, w, detectable_mm, influence, weight, model_mm })
     };
     let points = rows::<9>("points", &points)?.iter().map(statistics).collect();
-    let residuals_mm = rows::<4>("residuals_mm", &floats(value, "residuals_mm"))?.to_vec();
+    let residuals_mm = rows::<4>("residuals_mm", &floats(value, "residuals_mm")?)?.to_vec();
     let plain = Object::assign(&Object::new(), value.unchecked_ref());
     ["residuals_mm", "points"].iter().for_each(|name| set(&plain, name, &Array::new()));
     Ok(RelativeOrientation { residuals_mm, points, ..read("orientation", &plain)? })

@@ -1,6 +1,6 @@
 //! Simulated flights, and the score of matches by their truth.
 
-use super::convert::{Bytes, JsResult, object, pack, read, read_options, rows, thrown, whole};
+use super::convert::{Bytes, JsResult, Numbers, object, pack, read, read_options, rows, thrown, whole};
 use crate::{
     DenseTruth, Flight, GreyImage, MatchScore, Preset, Rightness, check_flight as check, score_matches as score_by_truth, simulate as fly,
     write_png,
@@ -109,9 +109,9 @@ pub fn grey_png(
 /// Scores matches (stride 5) of left points (stride 3) by the truth of a simulated pair.
 #[wasm_bindgen(unchecked_return_type = "MatchScore")]
 pub fn score_matches(
-    matches: &[f64],
-    left_points: &[f64],
-    right_position: &[f32],
+    matches: &Numbers,
+    left_points: &Numbers,
+    #[wasm_bindgen(unchecked_param_type = "Float32Array | readonly number[]")] right_position: &Numbers,
     left_width: f64,
     left_height: f64,
     right_width: f64,
@@ -119,8 +119,10 @@ pub fn score_matches(
 ) -> JsResult<JsValue> {
     let (left_width, left_height) = (whole("left width", left_width)?, whole("left height", left_height)?);
     let (right_width, right_height) = (whole("right width", right_width)?, whole("right height", right_height)?);
-    let matches: Vec<[f64; 4]> = rows::<5>("matches", matches)?.iter().map(|[xl, yl, xr, yr, _]| [*xl, *yl, *xr, *yr]).collect();
-    let points: Vec<[f64; 2]> = rows::<3>("left points", left_points)?.iter().map(|[x, y, _]| [*x, *y]).collect();
+    let matches: Vec<[f64; 4]> =
+        rows::<5>("matches", &matches.read("matches")?)?.iter().map(|[xl, yl, xr, yr, _]| [*xl, *yl, *xr, *yr]).collect();
+    let points: Vec<[f64; 2]> = rows::<3>("left points", &left_points.read("left points")?)?.iter().map(|[x, y, _]| [*x, *y]).collect();
+    let right_position = right_position.read_single("right position")?;
     let truth = DenseTruth { right_position: right_position.as_chunks::<2>().0, left_width, left_height, right_width, right_height };
     score_by_truth(&matches, &points, &truth).map(|score| pack_score(&score)).map_err(thrown)
 }

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { errorOf, plainError, runBlock } from '../../pkg/block/index.js';
 import { jobs } from '../../pkg/block/jobs.js';
-import { message } from '../../pkg/node.js';
+import { BlockOnOrthophoto, BlockScene, grey_png, message, OrthophotoReference } from '../../pkg/node.js';
 import { photographed } from './blocks.js';
 import { folder, json } from './command.js';
 
@@ -134,6 +134,12 @@ test('options, images, pool and store that are none are refused by their names, 
   await refused(images, { cameras: '{}' }, surroundings, /^cameras is \{\}; allowed: \{ name, text \}$/);
   await refused(images, { masks: ['a.png'] }, surroundings, /^masks\[0\] is a\.png; allowed/);
   await refused(['a.png', 'b.png'], {}, surroundings, /^images\[0\] is a\.png; allowed: \{ name, bytes \}$/);
+  await refused(images, { cameras: { name: 'cameras.json', text: Buffer.from('{}') } }, surroundings, /^cameras\.text is Uint8Array; allowed: string$/);
+  await refused(images, { cameras: { name: 'cameras.json' } }, surroundings, /^cameras\.text is absent; allowed: string$/);
+  await refused([{ name: 5, bytes: read }], {}, surroundings, /^images\[0\]\.name is 5 \(number\); allowed: string$/);
+  await refused([{ name: 'a.png', bytes: new Uint8Array(2) }], {}, surroundings, /^images\[0\]\.bytes is Uint8Array; allowed: function$/);
+  await refused(images, { geoid: { name: 'geoid.tif', bytes: 'geoid' } }, surroundings, /^geoid\.bytes is geoid \(string\); allowed: function$/);
+  await refused(images, {}, { pool: HERE, store: new Map() }, /^store is Map; allowed: \{ get, put \}$/);
   for (const size of [NaN, 0, 1.5, 257, '2'])
     await refused(images, {}, { ...surroundings, pool: { ...HERE, size } }, new RegExp(`^pool\\.size is ${size}; allowed: whole numbers from 1 to 256$`));
   await refused(images, {}, { pool: HERE }, /^store is absent; allowed/);
@@ -164,6 +170,53 @@ test('an image that a worker refuses is skipped and listed, whatever way the ref
     assert.match(JSON.stringify(skipped), /unsupported-image/);
     run.free();
   }
+});
+
+test('an image whose source gives no bytes is skipped and listed, and bytes of shared memory are taken', async () => {
+  const shared = SOURCES.slice(0, 2).map(({ name, bytes }) => ({
+    name,
+    bytes: async () => {
+      const file = await bytes();
+      const memory = new Uint8Array(new SharedArrayBuffer(file.length + 8), 8);
+      memory.set(file);
+      return memory;
+    },
+  }));
+  /** @type {any} */
+  const given = { 'null.png': null, 'text.png': 'bytes', 'object.png': {} };
+  const none = Object.entries(given).map(([name, bytes]) => ({ name, bytes: async () => bytes }));
+  const store = memory();
+  const run = await runBlock([...shared, ...none], { ...OPTIONS, masks: null }, { pool: HERE, store });
+  const { images, skipped } = run.overview();
+  assert.deepEqual(
+    skipped.map(({ name, reason }) => [name, message('failure', reason)]),
+    [
+      ['null.png', 'bytes: got null; allowed: Uint8Array'],
+      ['text.png', 'bytes: got string; allowed: Uint8Array'],
+      ['object.png', 'bytes: got Object; allowed: Uint8Array'],
+    ],
+  );
+  assert.equal(images.length, 2);
+  // Records are found by the digests of the files: shared memory has the same.
+  let found = 0;
+  const progress = (/** @type {Step} */ step) => {
+    found = Math.max(found, step.found);
+  };
+  await runBlock(SOURCES.slice(0, 2), OPTIONS, { pool: HERE, store, progress });
+  assert.equal(found, 2);
+});
+
+test('images that a finished block does not have, and places without numbers, are refused', async () => {
+  const run = await runBlock(SOURCES.slice(0, 2), OPTIONS, { pool: HERE, store: memory() });
+  const refused = (/** @type {() => unknown} */ call, /** @type {RegExp} */ pattern) =>
+    assert.throws(call, (/** @type {any} */ error) => error.name === 'TiepointError' && pattern.test(error.message));
+  refused(() => run.epipolar_line(0, NaN, 5, 1), /^place_px is \[NaN, 5\.0\]; allowed: two finite numbers$/);
+  refused(() => run.epipolar_line(0, 5, 5, 2), /got index 2; allowed: indices below 2$/);
+  const scene = new BlockScene({ strips: 1, exposures: 2 });
+  const reference = OrthophotoReference.open(scene.orthophoto(4).picture);
+  const placing = new BlockOnOrthophoto();
+  refused(() => placing.place(run, 2, grey_png(64, 48, new Uint8Array(64 * 48)), reference), /got index 2; allowed: indices below 2$/);
+  for (const each of [placing, reference, scene, run]) each.free();
 });
 
 test('an error passes between workers with its name, code and figures, whatever was thrown', () => {

@@ -12,6 +12,14 @@ const PIECES = [
   ],
   ['if (wasm !== undefined) return wasm;', 2, 'if (wasm !== unloaded) return wasm;'],
   [
+    // Refused as the crate refuses a value of another type.
+    `throw new Error(\`expected instance of \${klass.name}\`);`,
+    1,
+    `const got = instance?.constructor?.name ?? (instance === null ? 'null' : typeof instance);
+        const error = { kind: 'invalid-argument', what: 'argument', got, wanted: klass.name };
+        throw Object.assign(new Error(message('error', error)), { name: 'TiepointError', code: 'invalid-input', usage: false, error });`,
+  ],
+  [
     'throw new Error(getStringFromWasm0(arg0, arg1));',
     1,
     `const words = getStringFromWasm0(arg0, arg1);\n            throw new Error(words === 'null pointer passed to rust' ? '${FREED}' : words);`,
