@@ -6,12 +6,15 @@ import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
 import { count, fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
+import { placedFiles } from '../state/placed';
 import { isStale } from '../state/purpose';
 import { isBusy } from '../state/state';
-import type { Shown } from '../state/state';
+import type { BlockState, Shown } from '../state/state';
 import type { BlockScore, CheckSummary, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockView, ViewCamera } from '../state/view';
 import { matchesOf } from '../state/words';
+import { heightsText } from './placing-answer';
+import { verdictText } from './placing-words';
 import { say } from '../../shared/text/words';
 
 /** Reasons listed one by one; the others are in the table of images. */
@@ -24,8 +27,9 @@ export function mountResults(host: HTMLElement, store: BlockStore, takeOff: () =
   const off = button(say('without-the-orthophoto'), 'block-off-ground', takeOff, say('the-block-as-it-was'));
   store.watch(['shown', 'files', 'options', 'placing'], ([shown]) => {
     body.classList.toggle('is-stale', isStale(store.state));
-    if (shown === null) fill(body, h('p', { class: 'note' }, say('no-block-yet-drop-images')));
-    else fill(body, ...sectionsOf(shown, off));
+    const placed = placedOf(store.state);
+    const none = placed === null ? h('p', { class: 'note' }, say('no-block-yet-drop-images')) : null;
+    fill(body, ...(shown === null ? [none] : sectionsOf(shown, off)), placed);
   });
   store.watch(['running', 'notice', 'placing'], () => {
     off.disabled = isBusy(store.state);
@@ -55,6 +59,14 @@ function sectionsOf(shown: Shown, off: HTMLElement): (HTMLElement | null)[] {
 function onGround({ view: { orthophoto }, ground }: Shown, off: HTMLElement): HTMLElement | null {
   if (orthophoto === null) return null;
   return section(say('orthophoto'), 'block-on-orthophoto', h('p', {}, orthophoto.text), ground === null ? null : h('p', { class: 'buttons' }, off));
+}
+
+/** What came of images that were placed on the orthophoto by themselves; null where none was tried. */
+function placedOf(state: BlockState): HTMLElement | null {
+  const tried = placedFiles(state);
+  if (tried.length === 0) return null;
+  const list = tried.map((one) => ({ name: one.file.name, reason: `${verdictText(one)}${one.isStale ? say('earlier-settings') : ''}` }));
+  return section(say('placed-images'), 'block-placed-images', reasons(list), h('p', {}, heightsText(state)));
 }
 
 /** What is known before there are points. */
