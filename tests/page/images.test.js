@@ -160,6 +160,20 @@ test('a tie point that was chosen before the images were first shown opens at th
   // It fills its pane, or is as large as it is.
   const fills = Math.max(1, frame.width / 480, frame.height / 360);
   assert.ok(Math.abs(scale / fills - 1) < 0.05, `${scale} and not ${fills}`);
+  // In low panes, as many images have, nothing lies over the point in the middle.
+  for (const height of [124, 64]) {
+    await page.evaluate((px) => {
+      const rule = `.image-panes { flex: none !important; height: ${px}px !important; min-height: 0 !important; }`;
+      document.styleSheets[0]?.insertRule(rule, document.styleSheets[0].cssRules.length);
+    }, height);
+    await page.waitForFunction((px) => document.querySelector('[data-testid^="pane-image-"]')?.getBoundingClientRect().height === px, height);
+    for (const pane of await panes(page).all()) {
+      const [whole, head] = await Promise.all([pane, pane.locator('.pane-head')].map((one) => one.boundingBox()));
+      assert.ok(whole && head);
+      assert.ok(head.y + head.height < whole.y + whole.height / 2 - 7, `the head ends ${head.y + head.height - whole.y} px below the top of ${whole.height}`);
+      assert.ok(await pane.locator('.pane-name span').evaluate(({ scrollWidth, clientWidth }) => scrollWidth <= clientWidth));
+    }
+  }
   rmSync(folder, { recursive: true });
   assert.deepEqual(complaints, []);
   await close();
