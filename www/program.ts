@@ -161,7 +161,7 @@ async function loadBlock(
       names: () => [pair.store.state.images.left?.name ?? null, pair.store.state.images.right?.name ?? null],
       watch: (changed) => pair.store.watch(['images'], changed),
     },
-    openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images),
+    openPair: (store, images) => openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images),
   });
   block.store.dispatch({ type: 'ready', catalogue: ofBlocks });
   return block;
