@@ -4,6 +4,7 @@ import { namesText } from '../../shared/files/refused';
 import { button, fill, h, row, section } from '../../shared/panel/dom';
 import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
+import { asFigure } from '../../shared/text/direction';
 import { count, fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import { placedFiles } from '../state/placed';
@@ -91,7 +92,7 @@ function partialFacts(view: BlockView): Fact[] {
 
 function strays(title: string, testid: string, names: readonly string[], why: string): HTMLElement | null {
   if (names.length === 0) return null;
-  return section(title, testid, h('p', {}, `${names.slice(0, LISTED).join(', ')}${names.length > LISTED ? ' …' : ''}: ${why}.`));
+  return section(title, testid, h('p', {}, `${asFigure(`${names.slice(0, LISTED).join(', ')}${names.length > LISTED ? ' …' : ''}`)}: ${why}.`));
 }
 
 function listOf(title: string, testid: string, texts: readonly string[]): HTMLElement | null {
