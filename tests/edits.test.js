@@ -11,6 +11,7 @@ const MODULES = [
   'pair/state/display',
   'pair/state/draft',
   'pair/state/edited',
+  'pair/state/editing',
   'pair/state/edits',
   'pair/state/listed',
   'pair/state/project',
@@ -306,6 +307,15 @@ test('a point is expected where the matches around it lie, on its epipolar line'
   assert.deepEqual(page.neighbours.onLine(line.positions, [-5, 0]), [0, 10]);
   // A new match waits for its second point, a moved one keeps what was not moved.
   let measuring = page.reducer.reduce(state, { type: 'draft', draft: page.draft.begun(state, 'left', [100.123, 200]) });
+  // Where its other point is expected nobody has measured it: it is no match of its own, whichever point is placed next.
+  assert.ok(page.draft.isPredicted(measuring));
+  assert.equal(page.draft.editOfDraft(measuring), null);
+  const editing = new page.editing.Editing({ state: measuring, dispatch: (/** @type {any} */ action) => (measuring = page.reducer.reduce(measuring, action)) });
+  editing.exchange();
+  assert.equal(measuring.draft.side, 'left');
+  assert.equal(page.draft.editOfDraft(measuring), null);
+  measuring = page.reducer.reduce(measuring, { type: 'draft', draft: page.draft.placed(measuring, { ...measuring.draft, side: 'right' }, 'right', [90, 190]) });
+  assert.equal(page.draft.isPredicted(measuring), false);
   const edit = page.draft.editOfDraft(measuring);
   assert.deepEqual([edit.kind, edit.id, edit.at.slice(0, 2)], ['add', 1, [100.12, 200]]);
   const left = edited.match.indices[20];

@@ -38,6 +38,27 @@ function begun() {
   return { store, marking, shown, marks: () => store.state.photos.left.fiducials };
 }
 
+test('a place beside the picture is refused, which is said until one on it is taken; the mark stays where it was', () => {
+  const { store, marking, marks } = begun();
+  store.dispatch({ type: 'stageDone', stage: 'openLeft', result: { key: 'left', ms: 1, value: { info: { width: 990, height: 780 }, overview: null } } });
+  marking.toggle('left');
+  for (const beside of [
+    [-0.5, 20],
+    [20, 780.5],
+    [995, 20],
+  ]) {
+    marking.place('left', beside);
+    assert.ok(Number.isNaN(marks()[0].col), `${beside}`);
+    assert.match(store.state.notice?.text ?? '', /beside the picture/);
+  }
+  assert.equal(marking.history.edits.length, 0);
+  marking.place('left', [0, 20]);
+  assert.deepEqual([marks()[0].col, marks()[0].row, store.state.notice], [10, 40, null]);
+  // Nor do keys bring it there.
+  marking.nudge(-1, 0);
+  assert.deepEqual([marks()[0].col, store.state.notice?.kind], [10, 'info']);
+});
+
 test('marks are measured one after the other, and expected where those that are measured have them', async () => {
   const { store, marking, shown, marks } = begun();
   marking.toggle('left');

@@ -79,6 +79,16 @@ test('filters stand beside each other, and stay when the block is computed again
   assert.deepEqual(Object.keys(state.selection.filters), ['images', 'points']);
 });
 
+test('a view is a page of its own, and so is a pair; what is chosen there is none, nor are other photos in the place of a pair', () => {
+  const { isOtherPage } = page.address;
+  const pair = 'view=pair&image=a.png&image=b.png';
+  assert.ok(isOtherPage('#view=map&point=3', 'view=matrix&point=3'));
+  assert.ok(isOtherPage('#view=map', pair) && isOtherPage(`#${pair}`, 'view=pair&image=b.png&image=c.png'));
+  assert.ok(isOtherPage('', 'view=map') && isOtherPage('#view=map', ''));
+  assert.ok(!isOtherPage('#view=map&image=a.png', 'view=map&point=3') && !isOtherPage(`#${pair}`, pair));
+  assert.ok(!isOtherPage(`#${pair}`, '') && !isOtherPage('', pair));
+});
+
 test('the address names view and choice, and finds them again where the block has them', () => {
   const { addressOf, asked } = page.address;
   const view = { ...viewOf('a b.jpg', 'c&d.jpg'), points: { count: 300 } };

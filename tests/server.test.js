@@ -2,8 +2,10 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { request } from 'node:http';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { brotliDecompressSync, gunzipSync } from 'node:zlib';
@@ -48,6 +50,25 @@ test('files are compressed, have a tag by which a browser asks again, and names 
   } finally {
     await close();
   }
+});
+
+test('programs that write where nothing is named print what they take, and write nothing', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'tiepoint-usage-'));
+  const run = (/** @type {string} */ name, /** @type {string[]} */ ...given) =>
+    spawnSync(process.execPath, [fileURLToPath(new URL(`../tools/${name}.mjs`, import.meta.url)), ...given], { encoding: 'utf8', cwd: folder });
+  for (const name of ['single', 'site', 'docs', 'picture', 'build', 'test']) {
+    const help = run(name, '--help');
+    assert.deepEqual([help.status, help.stderr], [0, ''], name);
+    assert.match(help.stdout, /^npm /, name);
+  }
+  for (const name of ['single', 'site', 'docs', 'picture']) {
+    const slip = run(name, '--hlep');
+    assert.deepEqual([slip.status, slip.stdout], [2, ''], name);
+    assert.match(slip.stderr, /--hlep[\s\S]*npm run/, name);
+  }
+  assert.match(run('single', 'a.html', 'b.html').stderr, /^got a\.html b\.html; allowed: one path/);
+  assert.deepEqual(readdirSync(folder), []);
+  rmSync(folder, { recursive: true });
 });
 
 test('what it takes is printed, and said of an option that it does not know', () => {

@@ -9,6 +9,16 @@ import { DIST, PKG_WASM } from './lib/paths.mjs';
 import { ensureBindgen, ensureToolchain } from './lib/rust.mjs';
 import { ensurePackages } from './lib/setup.mjs';
 
+const USAGE = `npm run build -- [--fast] [--wasm-only] [--page-only]
+node tools/build.mjs [--fast] [--wasm-only] [--page-only]
+
+Rebuilds pkg/wasm from the crate, then dist/ from the page's sources.
+
+  --fast       a module for the inner loop, which is never committed
+  --wasm-only  pkg/wasm alone
+  --page-only  dist/ alone
+  -h, --help   prints this`;
+
 async function wasm(fast = false) {
   await ensurePackages();
   const toolchain = await ensureToolchain();
@@ -29,7 +39,13 @@ export async function buildMissing() {
 }
 
 async function main() {
-  const { values } = parseArgs({ options: { 'wasm-only': { type: 'boolean' }, 'page-only': { type: 'boolean' }, fast: { type: 'boolean' } } });
+  const { values } = parseArgs({
+    options: { 'wasm-only': { type: 'boolean' }, 'page-only': { type: 'boolean' }, fast: { type: 'boolean' }, help: { type: 'boolean', short: 'h' } },
+  });
+  if (values.help) {
+    console.log(USAGE);
+    return;
+  }
   const started = performance.now();
   if (!values['page-only']) await wasm(values.fast);
   if (!values['wasm-only']) await page();

@@ -19,6 +19,7 @@ import {
 } from '../pkg/node.js';
 import { BLOCK_NAMES, optionsOf } from '../pkg/command/options.js';
 import { ROOT } from './lib/paths.mjs';
+import { namedOrUsage } from './lib/usage.mjs';
 
 export const OPTIONS_FILE = join(ROOT, 'docs', 'options.md');
 
@@ -100,4 +101,14 @@ export function optionsPage() {
     .trimEnd()}\n`;
 }
 
-if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) writeFileSync(OPTIONS_FILE, optionsPage());
+const USAGE = `npm run docs
+node tools/docs.mjs
+
+Writes docs/options.md, the table of all options.
+
+  -h, --help  prints this`;
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  namedOrUsage(USAGE, 0);
+  writeFileSync(OPTIONS_FILE, optionsPage());
+}

@@ -6,6 +6,16 @@ import { chromium } from 'playwright-core';
 import { servePage } from './lib/page-server.mjs';
 import { ROOT } from './lib/paths.mjs';
 import { ensureChromium } from './lib/setup.mjs';
+import { namedOrUsage } from './lib/usage.mjs';
+
+const USAGE = `npm run picture
+node tools/picture.mjs
+
+Takes docs/page.png, the picture of the README, in Chromium.
+
+  -h, --help  prints this`;
+
+namedOrUsage(USAGE, 0);
 
 const { path, reason } = await ensureChromium();
 if (path === null) throw new Error(reason);

@@ -4,7 +4,15 @@
 import { join } from 'node:path';
 import { writeSingle } from './lib/compose.mjs';
 import { DIST } from './lib/paths.mjs';
+import { namedOrUsage } from './lib/usage.mjs';
 
-const file = process.argv[2] ?? join(DIST, 'tiepoint.html');
+const USAGE = `npm run single -- [FILE]
+node tools/single.mjs [FILE]
+
+Writes the page in one file, as for a memory stick: dist/tiepoint.html where no FILE is named.
+
+  -h, --help  prints this`;
+
+const file = namedOrUsage(USAGE) ?? join(DIST, 'tiepoint.html');
 writeSingle(file);
 console.log(`The page in one file is ${file}`);

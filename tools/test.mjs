@@ -186,6 +186,10 @@ async function main() {
   if (!existsSync(join(TARGET, 'debug'))) process.env.CARGO_INCREMENTAL ??= '0';
   const named = process.argv.slice(2);
   const isQuick = named.length === 1 && named[0] === 'quick';
+  if (named.includes('--help') || named.includes('-h')) {
+    console.log(`npm test -- [GROUP …]\n\nGroups: ${GROUPS.join(', ')}, or quick alone; all of them where none is named.`);
+    return 0;
+  }
   const unknown = named.find((group) => !GROUPS.includes(group));
   if (unknown && !isQuick) {
     console.error(`there is no group ${unknown}; allowed: ${GROUPS.join(', ')}, or quick alone`);

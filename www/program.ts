@@ -62,7 +62,7 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
   await breath();
   const modes = makeModes();
   const takers: Taker[] = [];
-  const pair = await mountPair(catalogue, { openProject, toBlock, sampleBlock, putAside: (kept) => keeper.putAside(kept) });
+  const pair = await mountPair(catalogue, { openProject, toBlock, toGround, sampleBlock, putAside: (kept) => keeper.putAside(kept) });
   showIn(modes, 'pair', [...document.querySelectorAll<HTMLElement>('.bar .actions, .bar .drawers, body > main')]);
   document.querySelector('.bar h1')?.after(modeSwitch(modes, (mode) => void show(mode)));
   await breath();
@@ -104,6 +104,12 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
   function toBlock(files: readonly File[], masks: readonly File[]): void {
     void inBlock((block) => block.give(files, masks));
   }
+  /** An orthophoto with photographs is nothing for a pair. */
+  async function toGround(found: FoundFile[]): Promise<boolean> {
+    if (!(await hasGround(found))) return false;
+    await inBlock((block) => block.taker.take(found, null));
+    return true;
+  }
   function sampleBlock(): void {
     void inBlock((block) => block.sample());
   }
@@ -122,15 +128,7 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
     return breath();
   });
   pair.begin();
-  takers.push({
-    ...pair.taker,
-    take: (found, at) => void toPair(found, at),
-  });
-  /** An orthophoto with photographs is nothing for a pair. */
-  async function toPair(found: FoundFile[], at: string | null): Promise<void> {
-    if (await hasGround(found)) await inBlock((block) => block.taker.take(found, null));
-    else pair.taker.take(found, at);
-  }
+  takers.push(pair.taker);
   serveDrop(takers);
   watchLaunches(openProject);
   mountReleases(byId('update'), keeper);
@@ -163,7 +161,7 @@ async function loadBlock(
       names: () => [pair.store.state.images.left?.name ?? null, pair.store.state.images.right?.name ?? null],
       watch: (changed) => pair.store.watch(['images'], changed),
     },
-    openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images),
+    openPair: (store, images) => openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images),
   });
   block.store.dispatch({ type: 'ready', catalogue: ofBlocks });
   return block;

@@ -355,7 +355,7 @@ mod tests {
         };
         let placing = GeoreferencingOptions::default();
         let tables = seen(&["a", "102", "b", "c", "101"]);
-        tables.check(&images, &placing).unwrap();
+        tables.check(&images, &placing, false).unwrap();
         assert_eq!(tables.unknown_points(), ["101", "102"]);
         let (joined, unknown) = tables.join(&images, &placing, &HeightZero::Unknown, LEAST_CONTROL).unwrap();
         assert_eq!((joined.iter().map(|point| point.measurements.len()).collect::<Vec<_>>(), unknown.len()), (vec![2; 3], 0));

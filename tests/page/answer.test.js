@@ -115,6 +115,17 @@ test('matches alone are drawn at first; one press shows the rejected points, and
   await close();
 });
 
+test('tools that work on matches cannot be pressed before there are any', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true, options: { viewport: { width: 1366, height: 768 } } });
+  await enabled(page, 'sample-first');
+  const tools = ['tool-choose', 'tool-measure', 'tool-mask'];
+  for (const id of tools) assert.ok(await part(page, id).isDisabled(), id);
+  await pair(page);
+  for (const id of tools) assert.ok(await part(page, id).isEnabled(), id);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('photographs are drawn in colour, exactly where the crate has their pixels, whatever their EXIF orientation', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ fresh: true });
   await part(page, 'file-input').setInputFiles(await coloured(page, pngs()));

@@ -5,8 +5,9 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { SAME } from '../english.js';
 import { looker } from './axe.js';
-import { photos } from './blocks.js';
-import { CAMERA, done, enabled, hosted, open, part, pngs, saved, says, SHOTS, SKIP } from './page.js';
+import { FLIGHT, photos } from './blocks.js';
+import { CAMERA, done, enabled, hosted, open, part, pngs, saved, says, SHOTS, SKIP, upload } from './page.js';
+import { blockPhotos } from './rendered.js';
 
 hosted();
 
@@ -155,6 +156,58 @@ test('what is typed is refused in Arabic, with its range', { skip: SKIP }, async
     assert.match(text, said);
     assert.deepEqual(english([text]), []);
   }
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('names that begin with a number, and what opens an image, are read as they are written', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ options: { ...ARABIC.options, viewport: { width: 1366, height: 768 } } });
+  /** Whether the letters of a text stand where they do from left to right.  @param {import('playwright-core').Locator} place @param {string} text */
+  const runs = (place, text) =>
+    place.evaluate((element, wanted) => {
+      const walker = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
+      for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
+        const from = node.textContent?.indexOf(wanted) ?? -1;
+        if (from < 0) continue;
+        const at = [...wanted].map((_, i) => {
+          const range = document.createRange();
+          range.setStart(node, from + i);
+          range.setEnd(node, from + i + 1);
+          return range.getBoundingClientRect().left;
+        });
+        return at.every((left, i) => i === 0 || left > (at[i - 1] ?? NaN));
+      }
+      return null;
+    }, text);
+  const [first, second] = pngs();
+  assert.ok(first && second);
+  await part(page, 'file-input').setInputFiles([{ ...first, name: '0001.png' }]);
+  await says(page, 'name-left', /0001\.png/);
+  assert.equal(await runs(part(page, 'name-left'), '0001.png'), true);
+  // Its words run from right to left, and what follows them stands at their left.
+  const ends = await part(page, 'open-right').evaluate((press) => {
+    const node = press.firstChild;
+    const range = document.createRange();
+    const leftOf = (/** @type {number} */ at) => {
+      range.setStart(/** @type {Node} */ (node), at);
+      range.setEnd(/** @type {Node} */ (node), at + 1);
+      return range.getBoundingClientRect().left;
+    };
+    return [getComputedStyle(press).direction, leftOf(0) > leftOf((node?.textContent?.length ?? 1) - 1)];
+  });
+  assert.deepEqual(ends, ['rtl', true]);
+  await part(page, 'file-input').setInputFiles([{ ...second, name: '0002.png' }]);
+  await done(page);
+  await part(page, 'mode-block').click();
+  await enabled(page, 'block-simulate');
+  const numbered = blockPhotos(FLIGHT).slice(0, 3);
+  await part(page, 'block-files-input').setInputFiles(numbered.map(({ bytes }, i) => upload(`000${i}.png`, bytes, 'image/png')));
+  await enabled(page, 'block-run');
+  await part(page, 'block-run').click();
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-answer"]')?.getAttribute('data-verdict'));
+  await part(page, 'tab-block-pairs').click();
+  await page.locator('[data-testid="block-pairs"] tbody tr:not(.filler)').first().click();
+  assert.equal(await runs(part(page, 'block-chosen'), '0000.png – 0001.png'), true);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -349,8 +349,16 @@ test('a match is measured by the keyboard alone, survives a crash of the tab, an
   await part(page, 'view').focus();
   for (const key of ['+', '+', '+', '+', 'a', 'Enter']) await page.keyboard.press(key);
   await drafted(page);
-  // Least squares matching refines the place; then the left point, and back.
+  // Where the other point is only predicted, nothing is accepted.
+  await says(page, 'draft-text', /The right point is predicted: /);
+  assert.ok(await part(page, 'draft-accept').isDisabled());
+  await page.keyboard.press('Enter');
+  assert.ok(await part(page, 'draft').isVisible());
+  await says(page, 'draft-text', /The right point is predicted: /);
+  // Least squares matching finds the place; then the left point, and back.
   await page.keyboard.press('f');
+  await says(page, 'draft-text', /Place the right point/);
+  assert.ok(await part(page, 'draft-accept').isEnabled());
   await page.keyboard.press('o');
   await says(page, 'draft-text', /Place the left point/);
   await page.keyboard.press('ArrowDown');

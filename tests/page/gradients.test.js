@@ -5,7 +5,7 @@ import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { grey_png } from '../../pkg/node.js';
-import { again, choose, done, hosted, number, open, pair, part, pngs, ROOT, sample, saved, SHOTS, SKIP, SMALL, upload } from './page.js';
+import { again, choose, done, hosted, number, open, pair, part, pngs, ROOT, sample, saved, says, SHOTS, SKIP, SMALL, upload } from './page.js';
 
 hosted();
 
@@ -192,6 +192,33 @@ test('a mask leaves points out, is shown, and goes with its image; one of anothe
   );
   await done(page);
   assert.equal(await coloured(part(page, 'layer-pictures')), 0);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('of a match that was placed by least squares the right picture is shown, and that no interest point is there', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  await part(page, 'tab-matches').click();
+  const rows = page.locator('[data-testid="statistics-row"]');
+  await rows.first().waitFor();
+  // What was filled in stands at the end.
+  await rows.first().evaluate((row) => row.closest('.rows')?.scrollTo(0, 1e7));
+  await page.waitForFunction(
+    () => Number([...document.querySelectorAll('[data-testid="statistics-row"]')].at(-1)?.firstElementChild?.textContent?.replaceAll(/\D/g, '')) > 1000,
+  );
+  await rows.last().click();
+  await part(page, 'tab-point').click();
+  await says(page, 'point-patches', /Placed by least squares: no interest point here\./);
+  const canvases = (/** @type {string} */ id) => page.locator(`[data-testid="${id}"] canvas`);
+  assert.deepEqual([await canvases('point-patches').count(), await canvases('point-descriptors').count()], [1, 2]);
+  const greys = await canvases('point-descriptors')
+    .last()
+    .evaluate((canvas) => {
+      const { data } = /** @type {any} */ (canvas).getContext('2d').getImageData(0, 0, 336, 336);
+      return new Set(data).size;
+    });
+  assert.ok(greys > 50, `${greys} grey values`);
   assert.deepEqual(complaints, []);
   await close();
 });

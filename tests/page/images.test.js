@@ -119,6 +119,12 @@ test('images open at a tie point in all that show it, with loupe, coordinates an
   await status(page, /was opened/);
   await shown(page, 4, 4);
   assert.match((await panes(page).first().textContent()) ?? '', /photo_0\.png.*The file of this image is not open/);
+  // In either theme it is read as any text on the ground of its pane.
+  for (const colorScheme of /** @type {const} */ (['dark', 'light'])) {
+    await page.emulateMedia({ colorScheme });
+    const [said, text] = await page.evaluate(() => [document.querySelector('.pane-absent p'), document.body].map((one) => one && getComputedStyle(one).color));
+    assert.equal(said, text, colorScheme);
+  }
   const photos = Array.from({ length: 6 }, (_, i) => `photo_${i}.png`).map((name) => ({
     name,
     mimeType: 'image/png',
@@ -127,6 +133,47 @@ test('images open at a tie point in all that show it, with loupe, coordinates an
   await part(page, 'block-files-input').setInputFiles(photos);
   await status(page, /All images of the block are there\.$/);
   await page.waitForFunction(() => document.querySelector('[data-testid^="pane-image-"] .pane-absent p') === null);
+  rmSync(folder, { recursive: true });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a tie point that was chosen before the images were first shown opens at the scale of their panes', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block({ options: { viewport: { width: 1366, height: 768 } } });
+  const folder = photoFolder(3);
+  await part(page, 'block-folder-input').setInputFiles(folder);
+  await part(page, 'block-run').click();
+  await status(page, /^(Oriented|Weak orientation): /);
+  await part(page, 'tab-block-points').click();
+  await page.locator('[data-testid="block-points"] tbody tr:not(.filler)').first().click();
+  await part(page, 'block-show-images').click();
+  await says(page, 'image-point', / rays/);
+  const frame = await panes(page).first().boundingBox();
+  assert.ok(frame);
+  const [x, y] = [frame.x + frame.width / 2, frame.y + frame.height / 2];
+  /** Column of the image under the pointer. */
+  const columnAt = async (/** @type {number} */ at) => {
+    await page.mouse.move(at, y);
+    return Number(/: (\d+\.\d), /.exec(await says(page, 'image-place', / px/))?.[1]);
+  };
+  const scale = 100 / ((await columnAt(x + 50)) - (await columnAt(x - 50)));
+  // It fills its pane, or is as large as it is.
+  const fills = Math.max(1, frame.width / 480, frame.height / 360);
+  assert.ok(Math.abs(scale / fills - 1) < 0.05, `${scale} and not ${fills}`);
+  // In low panes, as many images have, nothing lies over the point in the middle.
+  for (const height of [124, 64]) {
+    await page.evaluate((px) => {
+      const rule = `.image-panes { flex: none !important; height: ${px}px !important; min-height: 0 !important; }`;
+      document.styleSheets[0]?.insertRule(rule, document.styleSheets[0].cssRules.length);
+    }, height);
+    await page.waitForFunction((px) => document.querySelector('[data-testid^="pane-image-"]')?.getBoundingClientRect().height === px, height);
+    for (const pane of await panes(page).all()) {
+      const [whole, head] = await Promise.all([pane, pane.locator('.pane-head')].map((one) => one.boundingBox()));
+      assert.ok(whole && head);
+      assert.ok(head.y + head.height < whole.y + whole.height / 2 - 7, `the head ends ${head.y + head.height - whole.y} px below the top of ${whole.height}`);
+      assert.ok(await pane.locator('.pane-name span').evaluate(({ scrollWidth, clientWidth }) => scrollWidth <= clientWidth));
+    }
+  }
   rmSync(folder, { recursive: true });
   assert.deepEqual(complaints, []);
   await close();

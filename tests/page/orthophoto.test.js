@@ -74,6 +74,7 @@ test('the sample is placed by one press; image, link and table go together, are 
   await isPainted(page, 'ortho-plan', 'picture');
   await page.screenshot({ path: join(SHOTS, 'orthophoto-placed.png') });
 
+  assert.equal((await says(page, 'block-placed-images', /photo_00003\.png: Placed by/)).match(/: Placed by [\d\s]+ points/g)?.length, 4);
   // An image of the table opens beside the orthophoto; a link of the table is said, and the next one by a key.
   await page.locator('[data-testid="block-placed"] tbody tr:not(.filler)').nth(2).click();
   await says(page, 'ortho-chosen', /^photo_00002\.png: Placed by [\d\s]+ points/);
@@ -250,9 +251,14 @@ test('what is no orthophoto and what are no heights of it is said, and what is t
   for (const type of ['dragenter', 'dragover', 'drop']) await page.locator('body').dispatchEvent(type, { dataTransfer: transfer });
   await status(page, /^Orthophoto town\.tif: .* 1 image skipped: their names are in the block already\. Press Place\.$/);
   assert.equal(await part(page, 'mode-block').getAttribute('aria-pressed'), 'true');
+  // So does one that is chosen there.
+  await part(page, 'mode-pair').click();
+  await part(page, 'file-input').setInputFiles([upload('city.tif', picture), upload('other.png', photo, 'image/png')]);
+  await status(page, /^Orthophoto city\.tif: .* 2 images in the block\./);
+  assert.equal(await part(page, 'mode-block').getAttribute('aria-pressed'), 'true');
   // Several of them are photographs.
   await give('block-files', upload('east.tif', picture), upload('west.tif', picture));
-  await status(page, /^2 images that say where they lie are taken as photographs: .* 3 images in the block\./);
+  await status(page, /^2 images that say where they lie are taken as photographs: .* 4 images in the block\./);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -70,7 +70,7 @@ export interface Block {
 interface Elsewhere {
   modes: Modes;
   /** Shows a pair of the block by itself. */
-  openPair: (block: BlockStore, images: [number, number]) => void;
+  openPair: (block: BlockStore, images: [number, number]) => Promise<void>;
   /** What the block has to know of the pair. */
   pair: Omit<PairBeside, 'open'>;
   /** Opens a project of whatever kind where it belongs. */
@@ -91,9 +91,9 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   const looking = {
     choose: (choice: Choice | null) => store.dispatch({ type: 'choose', choice }),
     point: (choice: Choice | null) => store.dispatch({ type: 'point', choice }),
-    open: (images: [number, number]) => openPair(store, images),
+    open: (images: [number, number]) => void openPair(store, images),
   };
-  const beside: PairBeside = { ...pair, open: looking.open };
+  const beside: PairBeside = { ...pair, open: (images) => openPair(store, images) };
   const actions = h('div', { class: 'actions', role: 'group', aria: { label: say('images-of-the-block') } });
   const exports = h('div', { class: 'actions', role: 'group', aria: { label: say('export-of-the-block') } });
   const settings = tabbed('settings', say('settings'), [

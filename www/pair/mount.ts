@@ -1,6 +1,6 @@
 /** The pair's part of the page: makes its parts and wires them together. */
 import type { Catalogue } from '../shared/crate';
-import type { Taker } from '../shared/files/drop';
+import type { FoundFile, Taker } from '../shared/files/drop';
 import type { Keepable } from '../shared/files/keepable';
 import { byId, h } from '../shared/panel/dom';
 import { drawerButton, reveal, setDrawer, uncoverPictures } from '../shared/panel/drawers';
@@ -65,6 +65,8 @@ export interface Elsewhere {
   openProject: (file: File) => Promise<void>;
   /** Takes more images than a pair has. */
   toBlock: (files: readonly File[], masks: readonly File[]) => void;
+  /** Takes photographs with the orthophoto or the heights that they are to be placed by; false where there are none among the files. */
+  toGround: (found: FoundFile[]) => Promise<boolean>;
   /** Photographs a block and runs it. */
   sampleBlock: () => void;
   /** Leaves a pair in the list of projects. */
@@ -72,7 +74,7 @@ export interface Elsewhere {
 }
 
 /** In pieces, between which the page answers what the user does. */
-export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sampleBlock, putAside }: Elsewhere): Promise<Pair> {
+export async function mountPair(catalogue: Catalogue, { openProject, toBlock, toGround, sampleBlock, putAside }: Elsewhere): Promise<Pair> {
   const store = new Store();
   const {
     element: left,
@@ -100,7 +102,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, sa
   const navigator = new Navigator(store, view);
   await breath();
   const kept = new KeptPairs(store, engine, catalogue);
-  const files = new Files(store, engine, openProject, toBlock, () => putAside(kept));
+  const files = new Files(store, engine, openProject, { toBlock, toGround }, () => putAside(kept));
   /** Runs an action of the user's; what goes wrong is said in the status line. */
   const attempt = async (action: () => void | Promise<void>) => {
     try {

@@ -13,8 +13,8 @@ export interface PairBeside {
   names: () => readonly (string | null)[];
   /** Calls back whenever that may have changed. */
   watch: (changed: () => void) => void;
-  /** Shows two images of the block as a pair. */
-  open: (images: [number, number]) => void;
+  /** Shows two images of the block as a pair; resolves once they are there, or cannot be shown. */
+  open: (images: [number, number]) => Promise<void>;
 }
 
 export function mountBack(store: BlockStore, modes: Modes, pair: PairBeside): HTMLElement {
@@ -25,7 +25,7 @@ export function mountBack(store: BlockStore, modes: Modes, pair: PairBeside): HT
   });
   const open = button(say('open-this-pair'), 'open-strongest', () => {
     const images = strongestPair(store.state);
-    if (images !== null) pair.open(images);
+    if (images !== null) void pair.open(images);
   });
   const line = h('div', { class: 'of-block' }, back, text, open);
   const draw = () => {

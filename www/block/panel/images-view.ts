@@ -4,6 +4,7 @@ import { button, fill, h } from '../../shared/panel/dom';
 import { passFocus } from '../../shared/panel/focus';
 import { mountMenu } from '../../shared/panel/menu';
 import { labelled } from '../../shared/panel/zoom';
+import { asFigure } from '../../shared/text/direction';
 import { count, fixed } from '../../shared/text/format';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
@@ -124,7 +125,7 @@ function frameOf(image: number, view: ImagesView, store: BlockStore, addImages: 
       element.classList.toggle('is-active', panes.active === image);
       const figure = view.measuring.marks().has(image) ? say('measured') : figuresOf(view.seen.chosen()?.detail ?? null, image);
       setText(figures, figure);
-      head.title = figure === '' ? own : `${own}: ${figure}`;
+      head.title = figure === '' ? own : `${asFigure(own)}: ${figure}`;
       const why = pane.file === null ? say('the-file-of-this-image') : view.hasFailed(pane) ? say('this-image-cannot-be-decoded') : '';
       if (why === said) return;
       said = why;

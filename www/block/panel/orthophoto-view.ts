@@ -27,6 +27,7 @@ import { placingExports } from './placing-exports';
 import { verdictText } from './placing-words';
 import { KEYS_ID } from './view';
 import type { StageView } from './view';
+import { asFigure } from '../../shared/text/direction';
 import { say } from '../../shared/text/words';
 
 const KEYS = say('press-a-footprint-to-see');
@@ -131,7 +132,7 @@ function chosenText({ state }: BlockStore): string {
   const added = links?.count ?? 0;
   if (placed.result?.placement === null && added > 0 && placing.chosen.link === null && placed.result === placed.found)
     return say('of-at-least-links-by', { name: placed.file.name, added, least_links: LEAST_LINKS });
-  if (placing.chosen.link === null || links === null || placing.chosen.link >= links.count) return `${placed.file.name}: ${verdictText(placed)}`;
+  if (placing.chosen.link === null || links === null || placing.chosen.link >= links.count) return `${asFigure(placed.file.name)}: ${verdictText(placed)}`;
   const link = linkOf(links, placing.chosen.link);
   const residual = link.residual_px;
   const off =

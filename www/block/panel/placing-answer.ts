@@ -74,12 +74,14 @@ function answered(state: BlockState, tried: readonly PlacedFile[], actions: Plac
     tried.length === 1 && waiting <= stale && first !== undefined
       ? verdictText(first)
       : say('of-placed', {
-          placed,
+          placed: placed + weak,
           tried: images(tried.length + Math.max(0, waiting - stale)),
-          what: weak > 0 ? say('with-doubt', { weak }) : '',
+          what: weak > 0 ? say('with-doubt', { weak, of: placed > 0 ? 'some' : weak > 1 ? 'all' : 'one' }) : '',
           what_2: without > 0 ? say('not-placed', { without }) : '',
         });
   const more = [
+    // Of one image it is said already.
+    tried.length > 1 ? reasonOf(tried) : '',
     stale > 0
       ? say('settings-heights-or-cameras-have', { what: stale === tried.length ? say('then') : say('placed', { stale: images(stale), stale_2: stale }) })
       : '',
@@ -99,6 +101,12 @@ function answered(state: BlockState, tried: readonly PlacedFile[], actions: Plac
     figures: figuresOf(tried, unitOfOrthophoto(state.placing.orthophoto)),
     next,
   };
+}
+
+/** What speaks against the first image that is placed with doubt, or not at all; the others are in the details. */
+function reasonOf(tried: readonly PlacedFile[]): string {
+  const first = tried.find(({ result }) => result?.verdict.kind !== 'placed');
+  return first === undefined ? '' : say('reason-of', { name: first.file.name, reason: verdictText(first) });
 }
 
 function figuresOf(tried: readonly PlacedFile[], unit: LengthUnit): Figure[] {

@@ -4,14 +4,18 @@ import { namesText } from '../../shared/files/refused';
 import { button, fill, h, row, section } from '../../shared/panel/dom';
 import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
+import { asFigure } from '../../shared/text/direction';
 import { count, fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
+import { placedFiles } from '../state/placed';
 import { isStale } from '../state/purpose';
 import { isBusy } from '../state/state';
-import type { Shown } from '../state/state';
+import type { BlockState, Shown } from '../state/state';
 import type { BlockScore, CheckSummary, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockView, ViewCamera } from '../state/view';
 import { matchesOf } from '../state/words';
+import { heightsText } from './placing-answer';
+import { verdictText } from './placing-words';
 import { say } from '../../shared/text/words';
 
 /** Reasons listed one by one; the others are in the table of images. */
@@ -24,8 +28,9 @@ export function mountResults(host: HTMLElement, store: BlockStore, takeOff: () =
   const off = button(say('without-the-orthophoto'), 'block-off-ground', takeOff, say('the-block-as-it-was'));
   store.watch(['shown', 'files', 'options', 'placing'], ([shown]) => {
     body.classList.toggle('is-stale', isStale(store.state));
-    if (shown === null) fill(body, h('p', { class: 'note' }, say('no-block-yet-drop-images')));
-    else fill(body, ...sectionsOf(shown, off));
+    const placed = placedOf(store.state);
+    const none = placed === null ? h('p', { class: 'note' }, say('no-block-yet-drop-images')) : null;
+    fill(body, ...(shown === null ? [none] : sectionsOf(shown, off)), placed);
   });
   store.watch(['running', 'notice', 'placing'], () => {
     off.disabled = isBusy(store.state);
@@ -57,6 +62,14 @@ function onGround({ view: { orthophoto }, ground }: Shown, off: HTMLElement): HT
   return section(say('orthophoto'), 'block-on-orthophoto', h('p', {}, orthophoto.text), ground === null ? null : h('p', { class: 'buttons' }, off));
 }
 
+/** What came of images that were placed on the orthophoto by themselves; null where none was tried. */
+function placedOf(state: BlockState): HTMLElement | null {
+  const tried = placedFiles(state);
+  if (tried.length === 0) return null;
+  const list = tried.map((one) => ({ name: one.file.name, reason: `${verdictText(one)}${one.isStale ? say('earlier-settings') : ''}` }));
+  return section(say('placed-images'), 'block-placed-images', reasons(list), h('p', {}, heightsText(state)));
+}
+
 /** What is known before there are points. */
 function partialFacts(view: BlockView): Fact[] {
   const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected');
@@ -79,7 +92,7 @@ function partialFacts(view: BlockView): Fact[] {
 
 function strays(title: string, testid: string, names: readonly string[], why: string): HTMLElement | null {
   if (names.length === 0) return null;
-  return section(title, testid, h('p', {}, `${names.slice(0, LISTED).join(', ')}${names.length > LISTED ? ' …' : ''}: ${why}.`));
+  return section(title, testid, h('p', {}, `${asFigure(`${names.slice(0, LISTED).join(', ')}${names.length > LISTED ? ' …' : ''}`)}: ${why}.`));
 }
 
 function listOf(title: string, testid: string, texts: readonly string[]): HTMLElement | null {

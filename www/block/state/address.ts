@@ -35,6 +35,18 @@ export function addressOfPair({ images }: BlockView, pair: readonly [number, num
   return named.toString();
 }
 
+/** Whether two addresses are pages of their own, with their view or their pair, whatever is chosen there. Other photos, which have no address, take the place of a pair. */
+export function isOtherPage(address: string, other: string): boolean {
+  const [a, b] = [address, other].map((one) => {
+    const named = new URLSearchParams(one.replace(/^#/u, ''));
+    const view = named.get('view') ?? '';
+    return [view, ...(view === PAIR ? named.getAll('image') : [])];
+  });
+  const views = [a?.[0], b?.[0]];
+  if (views.includes('') && views.includes(PAIR)) return false;
+  return String(a) !== String(b);
+}
+
 /** The pair of the block that an address asks for; null where it asks for none, or the block does not have both images. */
 export function askedPair(address: string, view: BlockView): [number, number] | null {
   const named = new URLSearchParams(address.replace(/^#/u, ''));

@@ -1,4 +1,5 @@
 /** What the page says of an image or a pair of a block. */
+import { asFigure } from '../../shared/text/direction';
 import { count, fixed } from '../../shared/text/format';
 import { collectedOf } from './marks';
 import type { WithMarks } from './marks';
@@ -54,7 +55,7 @@ export function describe({ view, given }: Listed, choice: Choice, gsd = ''): str
     case 'point':
       return describePoint(view, choice.point);
     case 'observation':
-      return `${view.images[choice.image]?.name ?? ''}, ${describePoint(view, choice.point)}`;
+      return `${asFigure(view.images[choice.image]?.name ?? '')}, ${describePoint(view, choice.point)}`;
     case 'points':
       return describePoints(view, choice.points);
     case 'given':
@@ -109,7 +110,7 @@ function describePair(view: BlockView, images: readonly [number, number]): strin
   if (connection === undefined) return say('this-pair-was-not-tried', { names });
   const { geometry, shared, chosen } = connection;
   const parts = [outcomeText(connection).replace(/\.$/u, ''), geometryText(geometry), shared > 0 ? say('common-points-selected', { shared, chosen }) : ''];
-  return `${names}: ${parts.filter((part) => part !== '').join('; ')}.`;
+  return `${asFigure(names)}: ${parts.filter((part) => part !== '').join('; ')}.`;
 }
 
 /** Both images of a pair by their names. */

@@ -1,4 +1,5 @@
 /** What is looked up about the selected point: what was compared, the candidates, where it may be seen in the other image. */
+import { BY_HAND } from '../state/codes';
 import { CELLS, DESCRIPTOR_BYTES } from '../state/descriptor';
 import { editedPair } from '../state/edited';
 import { knownInterior } from '../state/interior';
@@ -7,7 +8,7 @@ import { readable } from '../../shared/text/names';
 import { leftIndexOf, placeOf } from '../state/selected';
 import type { Position } from '../../shared/state/pane';
 import { otherSide } from '../state/state';
-import type { FeatureView, Inspection, PointWindow, SeenAt, Side, StageValues, State } from '../state/state';
+import type { FeatureView, Inspection, PlaceView, PointWindow, SeenAt, Side, StageValues, State } from '../state/state';
 import { CallError } from '../../shared/engine/client';
 import { matchInput, needed, settingsOf } from './inputs';
 import type { Run, Workers } from './inputs';
@@ -63,11 +64,24 @@ async function featureAt(workers: Workers, state: State, side: Side, index: numb
   // What was measured by hand has no descriptor.
   if (DESCRIPTOR_BYTES * index >= gradients.length) return null;
   const [scale = 1, direction = 0] = frames.subarray(2 * index, 2 * index + 2);
-  const reach = CELLS * settingsOf(state).gradient.cell * scale;
+  const reach = reachOf(state, scale);
   const worker = await workers.withImage(side, state);
   const patch = (factor: number, turn: number) => worker.call('patch', { x: at[0], y: at[1], direction: turn, reach: factor * reach, side: PATCH_SIDE });
   const [turned, upright] = await Promise.all([patch(1, direction), patch(SURROUNDINGS, 0)]);
   return { descriptor: gradients.slice(DESCRIPTOR_BYTES * index, DESCRIPTOR_BYTES * (index + 1)), scale, direction, reach, turned, upright };
+}
+
+/** The side of the cells of a point of this scale, px. */
+function reachOf(state: State, scale: number): number {
+  return CELLS * settingsOf(state).gradient.cell * scale;
+}
+
+/** What an image shows where no interest point is; `like`: as much of it as of that point. */
+async function placeAt(workers: Workers, state: State, side: Side, at: Position | null, like: FeatureView | null, byHand: boolean): Promise<PlaceView | null> {
+  if (at === null) return null;
+  const worker = await workers.withImage(side, state);
+  const reach = SURROUNDINGS * (like?.reach ?? reachOf(state, 1));
+  return { descriptor: null, byHand, upright: await worker.call('patch', { x: at[0], y: at[1], direction: 0, reach, side: PATCH_SIDE }) };
 }
 
 /** The epipolar line of the selected point in the other image, where a geometry of the two views is known. */
@@ -106,12 +120,17 @@ async function candidatesOf(workers: Workers, state: State, left: number): Promi
 
 /** Windows of moments or grey values; for gradients the features. */
 async function comparedOf(workers: Workers, state: State, left: number): Promise<Pick<Inspection, 'left' | 'right' | 'features'>> {
-  const { best, places } = matchOf(state);
+  const { best, places, rules } = matchOf(state);
   const { selection } = state;
   const right = selection?.side === 'right' ? selection.index : (best[left] ?? -1);
   if (comparesGradients(settingsOf(state))) {
     const [ofLeft, ofRight] = await Promise.all([featureAt(workers, state, 'left', left), featureAt(workers, state, 'right', right)]);
-    return { left: null, right: null, features: { left: ofLeft, right: ofRight } };
+    const byHand = rules[left] === BY_HAND;
+    const features = {
+      left: ofLeft ?? (await placeAt(workers, state, 'left', pointAt(state, 'left', left), ofRight, byHand)),
+      right: ofRight ?? (await placeAt(workers, state, 'right', placeOf(places, left), ofLeft, byHand)),
+    };
+    return { left: null, right: null, features };
   }
   const rightAt = selection?.side === 'right' ? pointAt(state, 'right', selection.index) : placeOf(places, left);
   const [ofLeft, ofRight] = await Promise.all([windowAt(workers, state, 'left', pointAt(state, 'left', left)), windowAt(workers, state, 'right', rightAt)]);

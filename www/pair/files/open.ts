@@ -12,7 +12,7 @@ import { titleOf } from '../../shared/text/project';
 import { SIDES } from '../state/state';
 import type { GivenImage, Side, State } from '../state/state';
 import type { Store } from '../state/store';
-import type { Taker } from '../../shared/files/drop';
+import type { FoundFile, Taker } from '../../shared/files/drop';
 import type { Choice, Notice } from '../../shared/state/notice';
 import { kindsText, namesText, refusedKinds, refusedText } from '../../shared/files/refused';
 import type { Refused } from '../../shared/files/refused';
@@ -79,8 +79,12 @@ export class Files {
     private readonly engine: Engine,
     /** Opens a project of whatever kind where it belongs. */
     private readonly openProject: (file: File) => Promise<void>,
-    /** Takes more images than a pair has. */
-    private readonly toBlock: (files: readonly File[], masks: readonly File[]) => void,
+    private readonly elsewhere: {
+      /** Takes more images than a pair has. */
+      toBlock: (files: readonly File[], masks: readonly File[]) => void;
+      /** Takes photographs with the orthophoto or the heights that they are to be placed by; false where there are none among the files. */
+      toGround: (found: FoundFile[]) => Promise<boolean>;
+    },
     /** Leaves the project in the list before another pair takes its place; false where it cannot. */
     private readonly putAside: () => Promise<boolean>,
   ) {}
@@ -89,6 +93,16 @@ export class Files {
   begin(): void {
     this.isReady = true;
     this.started();
+  }
+
+  /** Takes files as they are chosen or dropped: photographs with an orthophoto are no pair. */
+  async give(found: FoundFile[], side: Side | null, asks = side === null): Promise<void> {
+    if (await this.elsewhere.toGround(found)) return;
+    await this.take(
+      found.map(({ file }) => file),
+      side,
+      asks,
+    );
   }
 
   /** Takes files of any kind; `side` says where a single one belongs. `asks`: whether a third photo may replace one is asked before it does. */
@@ -106,7 +120,7 @@ export class Files {
     }
     if (images.length > 2) {
       // The block says of those that it does not read why.
-      this.toBlock(
+      this.elsewhere.toBlock(
         files.filter((file) => !masks.includes(file)),
         masks,
       );
@@ -323,7 +337,7 @@ export class Files {
         text: say('open-three-as-a-block'),
         act: () => {
           dismiss();
-          this.toBlock(files, []);
+          this.elsewhere.toBlock(files, []);
         },
       },
       { text: say('replace-the-image', { side }), act: () => void this.replace(images) },
@@ -411,11 +425,6 @@ export function takerOf(store: Store, view: View, files: Files): Taker {
   return {
     isActive: () => true,
     markAt: (event) => sideAt(event) ?? 'page',
-    take: (found, at) =>
-      void files.take(
-        found.map(({ file }) => file),
-        SIDES.find((side) => side === at) ?? null,
-        true,
-      ),
+    take: (found, at) => void files.give(found, SIDES.find((side) => side === at) ?? null, true),
   };
 }

@@ -1,7 +1,7 @@
 /** While a match is measured by hand: what to do next, where its points lie, and buttons for each key. */
 import { button, h } from '../../shared/panel/dom';
 import { fixed } from '../../shared/text/format';
-import { editOfDraft, placeOfDraft } from '../state/draft';
+import { editOfDraft, isPredicted, placeOfDraft } from '../state/draft';
 import { editedPair } from '../state/edited';
 import type { Editing } from '../state/editing';
 import type { Side, State } from '../state/state';
@@ -43,7 +43,7 @@ export function mountDraft(host: HTMLElement, store: Store, editing: Editing, fo
       bar.hidden = state.tool !== 'measure';
       accept.disabled = editOfDraft(state) === null;
       exchange.disabled = state.draft === null;
-      fit.disabled = accept.disabled;
+      fit.disabled = accept.disabled && !isPredicted(state);
       const now = textOf(state);
       if (text.textContent !== now) text.textContent = now;
     },
@@ -57,6 +57,7 @@ function textOf(state: State): string {
     const at = placeOfDraft(state, side);
     return at === null ? `${side} –` : `${side} ${fixed(at[0], 2)}, ${fixed(at[1], 2)}`;
   };
+  if (isPredicted(state)) return say('px-predicted', { place: place('left'), place_2: place('right'), side: draft.side });
   const what = draft.of === null ? say('new-match') : say('moved-match');
   return say('px-place-the-point-press', { what, place: place('left'), place_2: place('right'), side: draft.side });
 }

@@ -123,6 +123,7 @@ export function mountEditTools(host: HTMLElement, bar: HTMLElement, store: Store
     () => {
       const { state } = store;
       choose.setAttribute('aria-pressed', String(state.tool === 'choose'));
+      choose.disabled = editedPair(state) === null;
       byId('view').dataset.tool = state.tool;
       const [off, on] = [editOfChoice(state, 'reject'), editOfChoice(state, 'restore')];
       set(reject, `${say('reject')}${several(off)}`, off === null);

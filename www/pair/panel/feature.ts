@@ -1,7 +1,7 @@
 /** Gradient descriptors as pictures: the patch around a point, and a star of eight directions in each of its 4 x 4 cells. */
 import { PATCH_SIDE, SURROUNDINGS } from '../engine/inspect';
 import { CELLS, DIRECTIONS } from '../state/descriptor';
-import type { FeatureView, Inspection, Side } from '../state/state';
+import type { FeatureView, Inspection, PlaceView, Side } from '../state/state';
 import { h } from '../../shared/panel/dom';
 import { remember } from '../../shared/state/remember';
 import { say } from '../../shared/text/words';
@@ -15,10 +15,17 @@ const GRID = 'rgb(255 212 0 / 0.55)';
 /** Both points: as they lie in their images with the grid of their descriptors, then turned and scaled to their frames. The same ones of the same inspection. */
 export const featurePictures = remember(({ features }: Inspection): HTMLElement[] => {
   if (features === null) return [];
-  const both = (name: string, testid: string, picture: (feature: FeatureView) => HTMLCanvasElement, text: (feature: FeatureView) => string) => {
+  const both = (
+    name: string,
+    testid: string,
+    placed: boolean,
+    picture: (feature: FeatureView) => HTMLCanvasElement,
+    text: (feature: FeatureView) => string,
+  ) => {
     const one = (side: Side, label: string) => {
       const feature = features[side];
       if (feature === null) return h('figure', {}, h('p', { class: 'note' }, say('no-point')), h('figcaption', {}, label));
+      if (feature.descriptor === null) return placeFigure(feature, label, placed);
       const canvas = picture(feature);
       canvas.setAttribute('aria-label', say('point-2', { label, name }));
       return h('figure', {}, canvas, h('figcaption', {}, `${label}${text(feature)}`));
@@ -26,12 +33,21 @@ export const featurePictures = remember(({ features }: Inspection): HTMLElement[
     return [h('h4', {}, name), h('div', { class: 'windows', testid }, one('left', say('left')), one('right', say('right')))];
   };
   return [
-    ...both(say('turned-and-scaled-to-the'), 'point-patches', turnedPicture, () => ''),
-    ...both(say('descriptor-as-it-lies-in'), 'point-descriptors', uprightPicture, ({ scale, direction, reach }) =>
+    ...both(say('turned-and-scaled-to-the'), 'point-patches', false, turnedPicture, () => ''),
+    ...both(say('descriptor-as-it-lies-in'), 'point-descriptors', true, uprightPicture, ({ scale, direction, reach }) =>
       say('scale-px-direction-px-wide', { scale, direction: (direction * 180) / Math.PI, reach }),
     ),
   ];
 });
+
+/** Of a place that is no interest point why nothing of it was compared, or, as it lies in the image, what is there. */
+function placeFigure({ upright, byHand }: PlaceView, label: string, placed: boolean): HTMLElement {
+  const why = say('no-interest-point-here', { by: byHand ? 'hand' : 'least_squares' });
+  if (!placed) return h('figure', {}, h('p', { class: 'note' }, why), h('figcaption', {}, label));
+  const [canvas] = canvasOf(upright);
+  canvas.setAttribute('aria-label', say('point-2', { label, name: why }));
+  return h('figure', {}, canvas, h('figcaption', {}, label));
+}
 
 /** Grey values from black to white: what is dull would show nothing. */
 function stretched(grey: Uint8Array): Uint8Array {

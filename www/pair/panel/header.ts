@@ -27,7 +27,11 @@ export function pickerOf(files: Files): Pick {
     const given = [...(input.files ?? [])];
     const [first] = given;
     if (wanted.what === 'mask' && wanted.side !== null && first !== undefined) void files.takeMask(first, wanted.side);
-    else void files.take(given, wanted.side);
+    else
+      void files.give(
+        given.map((file) => ({ file, path: '' })),
+        wanted.side,
+      );
     input.value = '';
     input.multiple = true;
     wanted = { side: null, what: 'any' };

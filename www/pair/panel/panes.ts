@@ -5,6 +5,7 @@ import type { Store } from '../state/store';
 import { panesOf } from '../view/geometry';
 import type { View } from '../view/view';
 import { button, fill, h } from '../../shared/panel/dom';
+import { asFigure } from '../../shared/text/direction';
 import { say } from '../../shared/text/words';
 
 export interface PaneActions {
@@ -66,7 +67,7 @@ function label(side: Side, actions: PaneActions): { element: HTMLElement; show: 
     empty.hidden = image !== null;
     const size = opened === undefined || image === null ? '' : say('px-8', { width: opened.value.info.width, height: opened.value.info.height });
     // Beside the buttons a long one is cut off, and the size left out where it has no place.
-    name.title = image === null ? '' : `${image.name}${size}`;
+    name.title = image === null ? '' : `${asFigure(image.name)}${size}`;
     fill(name, h('span', {}, image?.name ?? ''), h('span', {}, size));
   };
   return { element, show };

@@ -9,6 +9,7 @@ import type { Edit, Place } from './edits';
 import { isCurrent } from './keys';
 import { roundedPx } from '../../shared/state/pane';
 import type { Position } from '../../shared/state/pane';
+import { sizeOf } from './on-image';
 import { leftIndexOf } from './selected';
 import { otherSide } from './state';
 import type { Draft, SeenAt, Side, State } from './state';
@@ -61,11 +62,6 @@ export function placeOfDraft(state: State, side: Side): Position | null {
   return side === draft.side ? expectedPlace(state) : null;
 }
 
-/** The size of an image; null while it is not open. */
-function sizeOf({ results }: State, side: Side): { width: number; height: number } | null {
-  return results[side === 'left' ? 'openLeft' : 'openRight']?.value.info ?? null;
-}
-
 /** The draft with its point of a side at a place, within the image. */
 export function placed(state: State, draft: Draft, side: Side, [x, y]: Position): Draft {
   const { width, height } = sizeOf(state, side) ?? { width: Infinity, height: Infinity };
@@ -91,11 +87,18 @@ export function moving(state: State): Draft | null {
   return { of: target, places: { left: [xl, yl], right: [xr, yr] }, side: state.selection?.side === 'left' ? 'right' : (state.selection?.side ?? 'right') };
 }
 
-/** The edit that a draft becomes; null while a point of it is not placed. */
+/** Whether the point that is placed now lies where it is expected: nobody has measured it yet. */
+export function isPredicted(state: State): boolean {
+  const { draft } = state;
+  return draft !== null && draft.places[draft.side] === null && expectedPlace(state) !== null;
+}
+
+/** The edit that a draft becomes; null while a point of it is not measured: where it is expected the other matches say, and it would add nothing to them. */
 export function editOfDraft(state: State): Edit | null {
   const { draft, history } = state;
   const [left, right] = [placeOfDraft(state, 'left'), placeOfDraft(state, 'right')];
   if (draft === null || left === null || right === null) return null;
+  if (draft.of === null && (draft.places.left === null || draft.places.right === null)) return null;
   const at: Place = [roundedPx(left[0]), roundedPx(left[1]), roundedPx(right[0]), roundedPx(right[1])];
   if (draft.of === null) return { kind: 'add', id: freshNumber(history), at };
   // What was not moved stays to the last digit.

@@ -83,9 +83,7 @@ export class Editing {
     const { state } = this.store;
     const { draft } = state;
     if (draft === null) return;
-    const at = placeOfDraft(state, draft.side);
-    const settled = at === null ? draft : placed(state, draft, draft.side, at);
-    this.store.dispatch({ type: 'draft', draft: { ...settled, side: otherSide(draft.side) } });
+    this.store.dispatch({ type: 'draft', draft: { ...draft, side: otherSide(draft.side) } });
   }
 
   /** Finds the right place by least squares, near where it is. */
@@ -95,9 +93,10 @@ export class Editing {
     const [left, right] = [placeOfDraft(state, 'left'), placeOfDraft(state, 'right')];
     if (draft === null || left === null || right === null) return;
     const found = await this.fitter(left, right);
-    // Meanwhile something else may be measured.
-    if (this.store.state.draft !== draft) return;
-    if (found !== null) this.store.dispatch({ type: 'draft', draft: placed(state, placed(state, draft, 'left', left), 'right', found) });
+    // Meanwhile something else may be measured, or elsewhere; who has gone on to the other image waits for it there.
+    const now = this.store.state.draft;
+    if (now === null || now.of !== draft.of || now.places !== draft.places) return;
+    if (found !== null) this.store.dispatch({ type: 'draft', draft: placed(state, placed(state, now, 'left', left), 'right', found) });
     const text = say('least-squares-matching-confirms-no');
     this.store.dispatch({ type: 'notice', notice: found === null ? { kind: 'info', text } : null });
   }

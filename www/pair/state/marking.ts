@@ -3,8 +3,10 @@ import type { Fiducial, FiducialModel, FiducialOrientation } from '../../shared/
 import type { History } from '../../shared/state/history';
 import { roundedPx } from '../../shared/state/pane';
 import type { Position } from '../../shared/state/pane';
+import type { Notice } from '../../shared/state/notice';
 import { say } from '../../shared/text/words';
 import { isMeasured, markInHand, placeOfMark, UNMEASURED, wholeMarks, withCoordinatesOf } from './marks';
+import { isOnImage } from './on-image';
 import { otherSide } from './state';
 import type { PhotoData, Side } from './state';
 import type { Store } from './store';
@@ -33,6 +35,8 @@ interface MarkStep extends Step<Fiducial[]> {
 
 export class Marking {
   private readonly steps: Undoing<Fiducial[], MarkStep>;
+  /** What was said of a place beside the picture. */
+  private refusal: Notice | null = null;
 
   constructor(
     private readonly store: Store,
@@ -78,12 +82,21 @@ export class Marking {
 
   private put(side: Side, [x, y]: Position, deed: Deed): void {
     const { mark, photos } = this.store.state;
-    if (mark === null || mark.side !== side) return;
+    if (mark === null || mark.side !== side || this.refuses(side, [x, y])) return;
     const { fiducials, origin } = photos[side];
     const [left, top] = origin ?? [0, 0];
     const [col = NaN, row = NaN] = [x + left, y + top].map(roundedPx);
     const placed: Fiducial = { ...(fiducials[mark.index] ?? UNMEASURED), col, row };
     this.set(side, [...fiducials.slice(0, mark.index), placed, ...fiducials.slice(mark.index + 1)], deed, mark.index);
+  }
+
+  /** Nothing shows a mark beside the picture: a place there is refused, which is said until one on it is taken. */
+  private refuses(side: Side, at: Position): boolean {
+    const { store, refusal } = this;
+    const refused = !isOnImage(store.state, side, at);
+    this.refusal = refused ? { kind: 'info', text: say('mark-beside-the-picture') } : null;
+    if (refused || (refusal !== null && store.state.notice === refusal)) store.dispatch({ type: 'notice', notice: this.refusal });
+    return refused;
   }
 
   /** Takes the next or the former mark in hand; behind the last one a new one. */

@@ -87,6 +87,14 @@ export interface FeatureView {
   upright: Uint8Array;
 }
 
+/** A place of a match that is no interest point: it was placed by least squares or by hand, and has no descriptor. */
+export interface PlaceView {
+  descriptor: null;
+  byHand: boolean;
+  /** What the image shows there, as it lies in it: grey values row by row. */
+  upright: Uint8Array;
+}
+
 /** Where the selected point may be seen in the other image: x, y in px along its epipolar line, or of one place; stride 2. */
 export interface SeenAt {
   side: Side;
@@ -98,7 +106,7 @@ export interface Inspection {
   left: PointWindow | null;
   right: PointWindow | null;
   /** For the strategy that compares gradients, in place of the windows. */
-  features: Record<Side, FeatureView | null> | null;
+  features: Record<Side, FeatureView | PlaceView | null> | null;
   /** Stride 2: right index, measure; best first. Empty where the strategy searches the image in place of points. */
   candidates: Float64Array;
   line: SeenAt | null;

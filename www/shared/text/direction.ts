@@ -23,7 +23,7 @@ export function asSentence(text: string): string {
   return IS_FROM_RIGHT ? `${RLI}${text}${PDI}` : text;
 }
 
-/** A figure with its sign among words from right to left. */
+/** A figure with its sign, or the name of a file, which may begin with a number, among words from right to left. */
 export function asFigure(text: string): string {
   return IS_FROM_RIGHT ? `${LRI}${text}${PDI}` : text;
 }

@@ -37,6 +37,11 @@ export class Layers<Name extends string> {
     new ResizeObserver(() => this.resize()).observe(host);
   }
 
+  /** Whether the host has a size: not before it is first in sight, nor while it is hidden. */
+  get isLaid(): boolean {
+    return this.width > 1 && this.height > 1;
+  }
+
   redraw(...names: Name[]): void {
     for (const name of names.length > 0 ? names : this.names) this.dirty.add(name);
     if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());

@@ -28,18 +28,22 @@ export function fitView(pane: Rect, width: number, height: number): PaneView {
   return { x: width / 2, y: (pane.height / 2 - top) / scale, scale };
 }
 
+/** CSS px of a px of the image: more shows nothing more. */
+const MAX_SCALE = 64;
+
 /** The pane that a view was first shown in. */
 const SHOWN_IN = new WeakMap<PaneView, Size>();
 
 /** A view that was made in a pane of another size, in this one: the same in its middle, and all that was seen. */
 export function inPane(view: PaneView, { width, height }: Rect): PaneView {
-  if (width === 0 || height === 0) return view;
+  // As panes are before they are laid out, or while they are hidden.
+  if (width <= 1 || height <= 1) return view;
   const first = SHOWN_IN.get(view);
   if (first === undefined) SHOWN_IN.set(view, { width, height });
-  return first === undefined ? view : { ...view, scale: view.scale * Math.min(width / first.width, height / first.height) };
+  if (first === undefined) return view;
+  const scale = view.scale * Math.min(width / first.width, height / first.height);
+  return { ...view, scale: Math.min(scale, Math.max(MAX_SCALE, view.scale)) };
 }
-
-const MAX_SCALE = 64;
 
 /** The view after zooming by `factor` about a canvas position, within sensible limits. */
 export function zoomed(pane: Rect, view: PaneView, factor: number, x: number, y: number, least: number): PaneView {

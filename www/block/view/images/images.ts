@@ -88,7 +88,10 @@ export class ImagesView implements Commanded {
     });
     new ResizeObserver(() => this.lay()).observe(host.parentElement ?? host);
     // After the canvases, which have seen its new size.
-    new ResizeObserver(() => this.tell()).observe(host);
+    new ResizeObserver(() => {
+      this.opening.follow();
+      this.tell();
+    }).observe(host);
   }
 
   /** Calls back when panes, places or figures may have changed. */

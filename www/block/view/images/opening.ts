@@ -42,7 +42,8 @@ export class Opening {
     if (shown === null) return;
     const { view, found } = shown;
     this.afterEdit(found, view);
-    if (onStage !== 'images') return;
+    // It is followed again once the panes have their sizes.
+    if (onStage !== 'images' || !this.seen.isLaid) return;
     const chosen = this.seen.chosen();
     if (chosen === null) {
       if (selection.chosen === null) this.openedAt = null;

@@ -25,8 +25,13 @@ export class Seen {
     readonly store: BlockStore,
     readonly facts: Facts,
     /** Of the canvas, CSS px. */
-    private readonly size: () => { width: number; height: number },
+    private readonly size: () => { width: number; height: number; isLaid: boolean },
   ) {}
+
+  /** Whether the panes have their sizes, by which what they show is scaled. */
+  get isLaid(): boolean {
+    return this.size().isLaid;
+  }
 
   view(): BlockView | null {
     return this.store.state.shown?.view ?? null;

@@ -413,8 +413,14 @@ heights-of-to =
         [none] {""}
        *[other] {" "}وتُعدّ من { $from_what }.
     }{ $part }
-with-doubt = ، منها { COUNT($weak) } مع شك
+with-doubt =
+    { $of ->
+        [one] ، مع شك
+        [all] ، كلها مع شك
+       *[some] ، منها { COUNT($weak) } مع شك
+    }
 not-placed = ، ولم توضع { COUNT($without) }
+reason-of = { $name }: { $reason }
 of-placed = وُضعت { COUNT($placed) } من { $tried }{ $what }{ $what_2 }.
 then = ذلك
 placed = وضع { $stale }{ $stale_2 ->

@@ -200,6 +200,10 @@ match-measured-by-hand = مطابقة مقيسة يدويًا
 new-match-press-a-point = مطابقة جديدة: اضغط نقطة في إحدى الصورتين، أو Enter لوسط الصورة النشطة.
 new-match = مطابقة جديدة
 moved-match = مطابقة منقولة
+px-predicted = مطابقة جديدة: { $place } · { $place_2 } بكسل. النقطة { $side ->
+        [left] اليسرى
+       *[right] اليمنى
+    } متوقعة: اضغطها، أو انقلها بالأسهم، أو دع المربعات الصغرى تجدها (F).
 px-place-the-point-press = { $what }: { $place } · { $place_2 } بكسل. ضع النقطة { $side ->
         [left] اليسرى
        *[right] اليمنى
@@ -236,6 +240,10 @@ list-of-matches = قائمة المطابقات
 ## feature and fiducials
 
 no-point = لا نقطة.
+no-interest-point-here = { $by ->
+        [hand] وُضعت يدويًا: لا نقطة مميزة هنا.
+       *[least_squares] وُضعت بالمربعات الصغرى: لا نقطة مميزة هنا.
+    }
 point-2 = النقطة { $label }، { $name }
 turned-and-scaled-to-the = مدارة ومقيسة على النقطة، مع مدّ التباين
 descriptor-as-it-lies-in = الواصف كما يقع في الصورة
@@ -347,6 +355,7 @@ takes-the-photo-coordinates = يأخذ الإحداثيات الصورية x وy
 fiducial-marks-measured = علامات إطارية تقاس في الصورة
 mark-at-mm = { " " }({ $x }، { $y } مم)
 mark-is-at = العلامة { $number }{ $photo } عند { $column }، { $row } بكسل من الصورة. الأسهم تحركها؛ وEnter يتابع.
+mark-beside-the-picture = لم توضع العلامة: ذلك الموضع خارج الصورة.
 new-mark-press-it = علامة جديدة { $number }: اضغطها في الصورة { $side ->
         [left] اليسرى
        *[right] اليمنى

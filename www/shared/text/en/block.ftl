@@ -451,8 +451,14 @@ heights-of-to =
         [none] {""}
        *[other] {" "}They count from { $from_what }.
     }{ $part }
-with-doubt = , { COUNT($weak) } with doubt
+with-doubt =
+    { $of ->
+        [one] , with doubt
+        [all] , all with doubt
+       *[some] , { COUNT($weak) } of them with doubt
+    }
 not-placed = , { COUNT($without) } not placed
+reason-of = { $name }: { $reason }
 of-placed = { COUNT($placed) } of { $tried } placed{ $what }{ $what_2 }.
 then = then
 placed = { $stale } { $stale_2 ->

@@ -226,6 +226,10 @@ match-measured-by-hand = Match measured by hand
 new-match-press-a-point = New match: press a point in either picture, or Enter for the middle of the active one.
 new-match = New match
 moved-match = Moved match
+px-predicted = New match: { $place } · { $place_2 } px. The { $side ->
+        [left] left
+       *[right] right
+    } point is predicted: press it, move it by arrows, or let least squares find it (F).
 px-place-the-point-press = { $what }: { $place } · { $place_2 } px. Place the { $side ->
         [left] left
        *[right] right
@@ -261,6 +265,10 @@ list-of-matches = List of matches
 ## panel/feature
 
 no-point = No point.
+no-interest-point-here = { $by ->
+        [hand] Placed by hand: no interest point here.
+       *[least_squares] Placed by least squares: no interest point here.
+    }
 point-2 = { $label } point, { $name }
 turned-and-scaled-to-the = Turned and scaled to the point, contrast stretched
 descriptor-as-it-lies-in = Descriptor, as it lies in the image
@@ -377,6 +385,7 @@ takes-the-photo-coordinates = Takes the photo coordinates x, y that are missing 
 fiducial-marks-measured = Fiducial marks, measured in the image
 mark-at-mm = { " " }({ $x }, { $y } mm)
 mark-is-at = Mark { $number }{ $photo } lies at { $column }, { $row } px of the image. Arrows move it; Enter goes on.
+mark-beside-the-picture = The mark was not placed: that is beside the picture.
 new-mark-press-it = New mark { $number }: press it in the { $side ->
         [left] left
        *[right] right
