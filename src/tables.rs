@@ -2,7 +2,7 @@
 
 use crate::error::refuse;
 use crate::json;
-use crate::text::{Headed, Records, Row, records, shorten, table};
+use crate::text::{Headed, NumberedRecord, Records, Row, records, shorten, table};
 use crate::{CameraMm, Document, Error, Fiducial, Input, ModelPoint, Observation, Refusal};
 use csv::StringRecord;
 
@@ -86,7 +86,7 @@ fn find_columns<'a, const N: usize>(
     input: Input,
     records: &'a Records,
     columns: [&'static str; N],
-) -> Result<([usize; N], &'a [(usize, StringRecord)]), Error> {
+) -> Result<([usize; N], &'a [NumberedRecord]), Error> {
     let find = |names: &StringRecord| columns.map(|column| names.iter().position(|name| is_named(name, column)));
     let Headed { names, rows, .. } = records.headed(find, &[])?;
     let shown = names.as_ref().or_else(|| records.likely_head(find));

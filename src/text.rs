@@ -11,11 +11,13 @@ use separator::{is_clearly_decimal, is_data, of_line};
 use std::cmp::Ordering;
 use std::fmt::Display;
 
+/// A record with its line, counted from 1.
+pub(crate) type NumberedRecord = (usize, StringRecord);
+
 /// The records of a text, and how its numbers are written.
 #[derive(Debug)]
 pub(crate) struct Records {
-    /// Each with its line, counted from 1.
-    pub rows: Vec<(usize, StringRecord)>,
+    pub rows: Vec<NumberedRecord>,
     /// The comment directly above them, as fields.
     above: Vec<StringRecord>,
     separator: u8,

@@ -24,7 +24,7 @@ pub(super) fn errors_in_order(records: &Records) -> Result<Option<([usize; 2], u
         let refused = |refusal: fn(String, usize, usize) -> Refusal| refuse(refusal(records.shown(record), numbers.len(), *line));
         let of_errors: Vec<f64> = numbers.iter().skip(3).filter_map(|field| records.number(field)).collect();
         let are_small = of_errors.iter().all(|error| *error > 0.0 && *error <= MOST_ERROR_M);
-        if numbers.len() > WITH_THREE || (numbers.len() == WITH_THREE && !(are_small && !is_whole(records, &numbers))) {
+        if numbers.len() > WITH_THREE || (numbers.len() == WITH_THREE && (!are_small || is_whole(records, &numbers))) {
             return refused(|record, numbers, line| Refusal::ControlNumbers { record, numbers, line, most_m: MOST_ERROR_M });
         }
         let may_be_figures = numbers.iter().skip(3).any(|field| has_figures(records, field));

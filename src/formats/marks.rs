@@ -2,7 +2,7 @@
 
 use super::columns::{letters, others, without_unit};
 use crate::error::refuse;
-use crate::text::{Headed, Records, Row, records, shorten, table};
+use crate::text::{Headed, NumberedRecord, Records, Row, records, shorten, table};
 use crate::{Error, Input, Refusal};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
@@ -75,7 +75,7 @@ fn find(names: &StringRecord) -> [Option<usize>; 4] {
 }
 
 /// Where image, point, x and y stand, and the rows that have them.
-fn columns_of(records: &Records) -> Result<([usize; 4], &[(usize, StringRecord)]), Error> {
+fn columns_of(records: &Records) -> Result<([usize; 4], &[NumberedRecord]), Error> {
     let Headed { names, rows, misplaced } = records.headed(find, &UNITS)?;
     if let Some([Some(image), Some(point), Some(x), Some(y)]) = names.as_ref().map(find) {
         return Ok(([image, point, x, y], rows));
