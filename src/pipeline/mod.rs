@@ -12,8 +12,8 @@ mod edited;
 mod execute;
 mod fault;
 mod features;
-#[cfg(not(target_arch = "wasm32"))]
 mod focal_change;
+#[cfg(not(target_arch = "wasm32"))]
 mod folder;
 mod geoid;
 mod gross_places;
