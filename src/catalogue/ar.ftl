@@ -790,6 +790,24 @@ remark-doubled-columns =
         [0] {""}
        *[other] {" "}و{ $columns_more } أخرى
     }
+remark-unknown-position-columns =
+    أعمدة في جدول مواضع الصور غير مفهومة ولا تُقرأ: { $columns }{ $columns_more ->
+        [0] {""}
+       *[other] {" "}و{ $columns_more } أخرى
+    }
+remark-doubled-position-columns =
+    أعمدة في جدول مواضع الصور تعطي ما يعطيه عمود آخر (بين قوسين) ولا تُقرأ: { $columns }{ $columns_more ->
+        [0] {""}
+       *[other] {" "}و{ $columns_more } أخرى
+    }
+remark-positions-of-other-images =
+    { $all ->
+        [true] لا يسمي جدول مواضع الصور أي صورة من الكتلة، ولا يُستعمل أي موضع منه؛ وهو يسمي
+       *[false] يسمي جدول مواضع الصور صورًا ليست في الكتلة:
+    } { $images }{ $images_more ->
+        [0] {""}
+       *[other] {" "}و{ $images_more } أخرى
+    }
 remark-unused-camera = كاميرا { $images } لا توافق اسم أي صورة
 remark-doubtful-focal =
     البعد البؤري لـ{ $label } هو { $focal_px } بكسل، أي { SIGNIFICANT($sides, digits: 2) } من الضلع الأطول للصورة، والمعتاد من { $least } إلى { $most }{ $in_mm ->
@@ -1050,7 +1068,7 @@ refusal-column-again = { $input }: أُعطي العمود { $column } مرتي�
 refusal-no-value = { $input }: لا قيمة في { $column } في السطر { $line }؛ المسموح: أعداد منتهية بنقطة عشرية
 refusal-no-number = { $input }: أُعطي '{ $word }' في { $column } في السطر { $line }؛ المسموح: أعداد منتهية بنقطة عشرية
 refusal-control-column = جدول نقاط الضبط: ليس في السطر الأول '{ $names }' عمود '{ $column }' (أو { $known }) ولا نقطة؛ المسموح: أسطر من name وx وy وz، وقد يليها الخطآن المعياريان كلاهما، للموضع وللارتفاع
-refusal-control-head-unit = جدول نقاط الضبط: أُعطي العمود '{ $column }' بوحدة { $given_in }؛ المسموح: إحداثيات بوحدة { $own }، أو في نظام إحداثيات بتلك الوحدة (--crs)
+refusal-head-unit = { $input }: أُعطي العمود '{ $column }' بوحدة { $given_in }؛ المسموح: إحداثيات بوحدة { $own }، أو في نظام إحداثيات بتلك الوحدة (--crs)
 refusal-control-error-column = جدول نقاط الضبط: أُعطي العمود '{ $column }' دون الأخطاء المعيارية الأخرى؛ المسموح: أسطر من name وx وy وz، وقد يليها الخطآن المعياريان كلاهما، للموضع وللارتفاع
 refusal-control-number = جدول نقاط الضبط: أُعطي '{ $word }' في { $column } في السطر { $line }؛ المسموح: أسطر من name وx وy وz، وقد يليها الخطآن المعياريان كلاهما، للموضع وللارتفاع
 refusal-control-name = جدول نقاط الضبط: الاسم '{ $name }' في السطر { $line } فارغ أو مكرر؛ المسموح: أسطر من name وx وy وz، وقد يليها الخطآن المعياريان كلاهما، للموضع وللارتفاع
@@ -1061,6 +1079,14 @@ refusal-measured-column = جدول القياسات الصورية: ليس في 
 refusal-measured-numbers = جدول القياسات الصورية: أُعطي '{ $x }'، '{ $y }' موضعًا في السطر { $line }؛ المسموح: أسطر من image وpoint وx وy بنقاط عشرية، كل نقطة مرة واحدة في الصورة
 refusal-measured-names = جدول القياسات الصورية: ليس في السطر { $line } اسم صورة أو نقطة؛ المسموح: أسطر من image وpoint وx وy بنقاط عشرية، كل نقطة مرة واحدة في الصورة
 refusal-measured-again = جدول القياسات الصورية: تكررت النقطة '{ $point }' في الصورة '{ $image }' في السطر { $line }؛ المسموح: أسطر من image وpoint وx وy بنقاط عشرية، كل نقطة مرة واحدة في الصورة
+refusal-position-column = جدول مواضع الصور: ليس في السطر الأول '{ $names }' عمود '{ $column }' (أو { $known })؛ المسموح: سطر أول يسمي الأعمدة، مثل image,latitude,longitude,height أو image,easting,northing,height، أو أسطر من image وx وy وheight
+refusal-position-kinds = جدول مواضع الصور: أُعطي العمود '{ $x }' مع '{ $y }'؛ المسموح: خط الطول مع خط العرض، أو الشرق مع الشمال
+refusal-position-number = جدول مواضع الصور: أُعطي '{ $word }' في { $column } في السطر { $line }؛ المسموح: أعداد منتهية، وفي كل سطر فيه إحداثي خط الطول وخط العرض، أو x وy، على الأقل
+refusal-position-name = جدول مواضع الصور: أُعطي الاسم '{ $name }' في السطر { $line }؛ المسموح: أسماء ملفات الصور، غير فارغة وبلا محارف تحكم
+refusal-position-errors = جدول مواضع الصور: أُعطي الخطأ المعياري { $errors } في السطر { $line }؛ المسموح: أعداد أكبر من 0، أو حقول فارغة
+refusal-position-again = جدول مواضع الصور: تكرر موضع الصورة '{ $image }' في السطر { $line }؛ المسموح: كل صورة مرة واحدة
+refusal-position-order = جدول مواضع الصور: أُعطي { $x } و{ $y } في السطر { $line }، وقد يكونان خط العرض ثم خط الطول أو العكس؛ المسموح: سطر أول يسمي الأعمدة، مثل image,latitude,longitude,height
+refusal-position-degrees = جدول مواضع الصور: أُعطي خط الطول { $longitude_deg } وخط العرض { $latitude_deg } في السطر { $line }؛ المسموح: خطوط طول من -180 إلى 180 وخطوط عرض من -90 إلى 90 بالدرجات
 
 # Coordinate reference systems.
 refusal-unknown-crs = نظام الإحداثيات المرجعي: أُعطي { $crs }، وهو رمز غير معروف هنا، أو لإسقاط أو نوع غير مدعوم؛ المسموح: رموز EPSG لأنظمة جغرافية ومسقطة، أو نص PROJ
@@ -1081,6 +1107,12 @@ refusal-control-place =
        *[false] الشرق x والشمال y بوحدة هذا النظام
     }
 refusal-control-degrees = نقطة الضبط الأرضي { $point }: أُعطي ({ $x }, { $y })، وهي تشبه الدرجات؛ المسموح: الشرق x والشمال y كما في { $crs }
+refusal-position-without-crs = جدول مواضع الصور: أُعطي ({ $x }, { $y }) في السطر { $line }، وليسا خط طول وخط عرض، بلا نظام إحداثيات؛ المسموح: خطوط طول وعرض بالدرجات، أو نظام إحداثيات للشرق والشمال (--crs)
+refusal-position-place =
+    جدول مواضع الصور: أُعطي ({ $x }, { $y }) في السطر { $line }، { $degrees ->
+        [true] وهي تشبه الدرجات؛ المسموح: الشرق والشمال كما في { $crs }، أو عمودان باسمي longitude وlatitude
+       *[false] وهي خارج { $crs }؛ المسموح: الشرق x والشمال y بوحدة هذا النظام
+    }
 refusal-control-elsewhere =
     نقطة الضبط الأرضي { $point }: أُعطي موضع يبعد { FIXED($distance_km, digits: 0) } كم عن مواضع GNSS للصور كما يضعه { $crs }؛ المسموح: حتى { $most_km } كم. { $swapped ->
         [true] إذا تبادل x وy فهو قريب منها: x هو الشرق أو خط الطول
@@ -1285,6 +1317,7 @@ input-point-of-ray = نقطة رصدة
 input-points-of-block = نقاط الكتلة
 input-position = الموضع
 input-position-sigma = الخطأ المعياري لموضع
+input-position-table = جدول مواضع الصور
 input-mark-sigma = الخطأ المعياري لقياس في الصورة
 input-ray-sigma = الخطأ المعياري لرصدة
 input-right-descriptors = الواصفات اليمنى

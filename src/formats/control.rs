@@ -1,5 +1,6 @@
 //! Reading surveyed points: control and check points of a block.
 
+use super::columns::UnreadColumns;
 use super::control_columns::{Columns, Unit, meanings, named};
 use crate::error::refuse;
 use crate::text::{Records, Row, records, shorten, table};
@@ -47,39 +48,17 @@ pub fn parse_ground_control_points(text: &str) -> Result<Vec<GroundControlRow>, 
     rows.map(|(line, record)| read_point(&records, record, &columns, *line, &mut names)).collect()
 }
 
-/// The columns of a table of control points that are not read.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(crate) struct UnreadColumns {
-    /// Those that say nothing here: by their names, or `#7` for the seventh where it has none.
-    pub unknown: Vec<String>,
-    /// Those that give what another column gives, each with the one that is read: `up (z)`.
-    pub doubled: Vec<String>,
-}
-
 /// Columns of the table that are not read. One without a name counts where any of its cells holds something.
 ///
 /// # Errors
 /// As [`parse_ground_control_points`].
 pub(crate) fn unread_columns(text: &str) -> Result<UnreadColumns, Error> {
     let records = records(Input::ControlTable, text)?;
-    let Some((_, first)) = records.rows.first() else { return Ok(UnreadColumns::default()) };
     let (columns, is_named) = Columns::of(&records)?;
-    let meanings = if is_named { meanings(first) } else { Vec::new() };
-    let read = columns.read();
-    let width = records.rows.iter().map(|(_, record)| record.len()).max().unwrap_or(0);
-    let mut unread = UnreadColumns::default();
-    for column in (0..width).filter(|column| !read.contains(column)) {
-        let name = first.get(column).filter(|name| is_named && !name.is_empty());
-        let is_empty = || records.rows.iter().all(|(_, record)| record.get(column).unwrap_or("").is_empty());
-        let twin = meanings.get(column).copied().flatten().and_then(|meaning| columns.instead_of(meaning));
-        match (name, twin.and_then(|twin| first.get(twin))) {
-            (Some(name), Some(twin)) => unread.doubled.push(format!("{} ({})", shorten(name), shorten(twin))),
-            (Some(name), None) => unread.unknown.push(shorten(name)),
-            (None, _) if !is_empty() => unread.unknown.push(format!("#{}", column + 1)),
-            (None, _) => {}
-        }
-    }
-    Ok(unread)
+    let head = records.rows.first().map(|(_, first)| first).filter(|_| is_named);
+    let meanings = head.map(meanings).unwrap_or_default();
+    let twin = |column: usize| meanings.get(column).copied().flatten().and_then(|meaning| columns.instead_of(meaning));
+    Ok(UnreadColumns::of(&records, head, &columns.read(), twin))
 }
 
 /// A unit of length that the name of a column of coordinates has.
@@ -93,6 +72,21 @@ pub(crate) struct StatedUnit {
     pub is_height: bool,
 }
 
+impl StatedUnit {
+    /// Those that a line of names has for the columns of the plane and of the height.
+    pub(super) fn of(head: &StringRecord, plane: Vec<usize>, height: Option<usize>) -> Vec<Self> {
+        let columns = plane.into_iter().map(|column| (column, false)).chain(height.map(|column| (column, true)));
+        let stated = columns.filter_map(|(column, is_height)| {
+            let column = head.get(column)?;
+            match named(column).1? {
+                Unit::Length(unit) => Some(Self { column: shorten(column), unit, is_height }),
+                Unit::Degrees => None,
+            }
+        });
+        stated.collect()
+    }
+}
+
 /// The units of length that columns of coordinates name: the numbers are in them as [`parse_ground_control_points`] reads them.
 ///
 /// # Errors
@@ -100,15 +94,8 @@ pub(crate) struct StatedUnit {
 pub(crate) fn stated_units(text: &str) -> Result<Vec<StatedUnit>, Error> {
     let records = records(Input::ControlTable, text)?;
     let (columns, is_named) = Columns::of(&records)?;
-    let first = records.rows.first().filter(|_| is_named);
-    let named = columns.position.iter().enumerate().filter_map(|(axis, column)| {
-        let column = first?.1.get(*column)?;
-        match named(column).1? {
-            Unit::Length(unit) => Some(StatedUnit { column: shorten(column), unit, is_height: axis == 2 }),
-            Unit::Degrees => None,
-        }
-    });
-    Ok(named.collect())
+    let first = records.rows.first().map(|(_, first)| first).filter(|_| is_named);
+    Ok(first.map(|first| StatedUnit::of(first, columns.position[..2].to_vec(), Some(columns.position[2]))).unwrap_or_default())
 }
 
 fn read_point(

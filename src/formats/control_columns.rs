@@ -31,13 +31,16 @@ const NAMES: [(Column, &str); 7] = [
         "name label point pointname id pointid gcp gcpname gcpid number pointnumber nr no pointno pointnr pt ptid ptno marker \
          punkt punktname punktnummer punktnr",
     ),
-    (Column::X, "x e east easting longitude lon rechtswert ost xeasting long xlongitude rechts ostwert eastings"),
-    (Column::Y, "y n north northing latitude lat hochwert nord ynorthing ylatitude hoch nordwert northings"),
+    (
+        Column::X,
+        "x e east easting longitude lon rechtswert ost xeasting long xlongitude rechts ostwert eastings lng länge laenge gpslongitude xlon xlong",
+    ),
+    (Column::Y, "y n north northing latitude lat hochwert nord ynorthing ylatitude hoch nordwert northings breite gpslatitude ylat"),
     (
         Column::Z,
         // With the sign for a letter that was not in UTF-8, too.
         "z h height elevation altitude elev höhe alt zaltitude zelevation zheight hoehe h\u{fffd}he orthometricheight ellipsoidalheight \
-         ellipsoidheight ellheight hell up",
+         ellipsoidheight ellheight hell ellipsoidischehöhe ellipsoidischehoehe heightellipsoidal gpsaltitude zalt up",
     ),
     (Column::ErrorAcross, "across acch"),
     (Column::ErrorUp, "accv uperror"),
@@ -50,10 +53,10 @@ const ERRORS: [&str; 12] =
 
 /// The axes of standard errors. `h` is none: it is height in one program, horizontal in the next.
 const AXES: [(Column, &[&str]); 5] = [
-    (Column::ErrorAcross, &["xy", "horizontal", "across", "en"]),
-    (Column::ErrorX, &["x", "e", "east", "easting"]),
-    (Column::ErrorY, &["y", "n", "north", "northing"]),
-    (Column::ErrorUp, &["z", "vertical", "up", "height", "altitude", "elevation", "elev"]),
+    (Column::ErrorAcross, &["xy", "horizontal", "across", "en", "horz", "hor", "plan", "lage", "lateral"]),
+    (Column::ErrorX, &["x", "e", "east", "easting", "longitude", "lon"]),
+    (Column::ErrorY, &["y", "n", "north", "northing", "latitude", "lat"]),
+    (Column::ErrorUp, &["z", "vertical", "up", "height", "altitude", "elevation", "elev", "vert", "u", "höhe", "hoehe", "alt"]),
     (Column::ErrorPx, &["px", "image"]),
 ];
 
@@ -65,12 +68,14 @@ pub(super) enum Unit {
 }
 
 /// Units as tables write them.
-const UNITS: [(&str, Unit); 23] = [
+const UNITS: [(&str, Unit); 25] = [
     ("m", Unit::Length("m")),
     ("metre", Unit::Length("m")),
     ("metres", Unit::Length("m")),
     ("meter", Unit::Length("m")),
     ("meters", Unit::Length("m")),
+    ("decimal degrees", Unit::Degrees),
+    ("decimal degree", Unit::Degrees),
     ("deg", Unit::Degrees),
     ("degree", Unit::Degrees),
     ("degrees", Unit::Degrees),
@@ -103,8 +108,38 @@ fn plain(name: &str) -> String {
     letters(&named(name).0)
 }
 
+/// The names that say a column to hold coordinates: those of the plane, of either, or of longitudes and latitudes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Coordinates {
+    Geographic,
+    Plane,
+    /// `x`, and the `X/Longitude` of programs that name one column for both.
+    Either,
+}
+
+/// What coordinates the name of a column of x or y says to hold.
+pub(super) fn coordinates_of(name: &str) -> Coordinates {
+    let plain = plain(name);
+    let is_of_degrees = ["lon", "lng", "länge", "laenge", "lat", "breite"].iter().any(|word| plain.contains(word));
+    match () {
+        () if plain == "x" || plain == "y" || (is_of_degrees && plain.starts_with(['x', 'y'])) => Coordinates::Either,
+        () if is_of_degrees => Coordinates::Geographic,
+        () => Coordinates::Plane,
+    }
+}
+
+/// Whether a height is named as one above the ellipsoid, or, `Some(false)`, as one above the geoid; `None` where its name leaves that open.
+pub(super) fn is_ellipsoidal(name: &str) -> Option<bool> {
+    let plain = plain(name);
+    match () {
+        () if plain.contains("ell") => Some(true),
+        () if plain.contains("ortho") => Some(false),
+        () => None,
+    }
+}
+
 /// What a name says, and how early it stands among the names for that; `None` where it says nothing here, and for standard errors in other units.
-fn meaning_of(name: &str) -> Option<(Column, usize)> {
+pub(super) fn meaning_of(name: &str) -> Option<(Column, usize)> {
     let (joined, unit) = named(name);
     let plain = letters(&joined);
     let listed = NAMES.iter().find_map(|(column, names)| Some((*column, names.split(' ').position(|known| known == plain)?)));
@@ -125,6 +160,11 @@ fn meaning_of(name: &str) -> Option<(Column, usize)> {
             column.map(|column| (column, rank))
         })
     })
+}
+
+/// The names of a column, between blanks.
+pub(super) fn names_of(column: Column) -> &'static str {
+    NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known)
 }
 
 /// What each column of a line of names holds. `up` beside another height, where errors of the place but none of the height are named, is that error.
@@ -179,8 +219,8 @@ impl Columns {
         let place =
             |wanted: Column| (0..meanings.len()).filter(|k| meanings[*k] == Some(wanted)).min_by_key(|column| (rank(*column), *column));
         let needed = |column: Column, name: &str| {
-            let known = NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known);
-            let refusal = || Refusal::ControlColumn { column: name.into(), known: others(known), names: records.shown(record) };
+            let known = others(names_of(column));
+            let refusal = || Refusal::ControlColumn { column: name.into(), known, names: records.shown(record) };
             place(column).ok_or_else(|| refusal().into_error())
         };
         let apart = place(Column::ErrorX).zip(place(Column::ErrorY)).map(|(x, y)| [x, y]);

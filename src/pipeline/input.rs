@@ -3,6 +3,7 @@
 use super::cameras::CameraRules;
 use super::control::ControlTables;
 use super::masks::masks_of;
+use super::positions::{GivenPosition, PositionTable};
 use crate::catalogue::read_options;
 use crate::crs::{Geoid, HeightZero};
 use crate::error::refuse;
@@ -31,6 +32,9 @@ pub struct RunInput {
     /// GeographicLib.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub geoid: Option<String>,
+    /// GNSS positions of images, which take the place of those that the files of these images record: the text of a table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub positions: Option<String>,
 }
 
 /// Ground control points and their image measurements, as the texts of two files.
@@ -52,6 +56,7 @@ impl Default for RunInput {
             use_gnss: true,
             control: None,
             geoid: None,
+            positions: None,
         }
     }
 }
@@ -69,6 +74,9 @@ pub(super) struct Checked {
     pub unused_cameras: Vec<String>,
     pub use_gnss: bool,
     pub control: Option<ControlTables>,
+    pub positions: Option<PositionTable>,
+    /// Of each image the position that the table gives; none where GNSS positions are not used.
+    pub given: Vec<Option<GivenPosition>>,
     pub geoid: Option<String>,
     /// Where the heights of the coordinate system count from; not known before the geoid was read, where one is given.
     pub zero: HeightZero,
@@ -93,8 +101,25 @@ impl RunInput {
             control.check(&self.images, &self.settings.placing)?;
         }
         let zero = self.zero(geoid);
+        let positions = self.positions.as_deref().map(PositionTable::read).transpose()?;
+        let given = positions.as_ref().map(|table| table.of_images(&self.images, &self.settings.placing, &zero)).transpose()?;
+        let given = given.filter(|_| self.use_gnss).unwrap_or_else(|| vec![None; self.images.len()]);
         let Self { settings, images, masks, use_gnss, geoid, .. } = self;
-        Ok(Checked { settings, images, masks, mask_of, unused_masks, rules, unused_cameras, use_gnss, control, geoid, zero })
+        Ok(Checked {
+            settings,
+            images,
+            masks,
+            mask_of,
+            unused_masks,
+            rules,
+            unused_cameras,
+            use_gnss,
+            control,
+            positions,
+            given,
+            geoid,
+            zero,
+        })
     }
 }
 
