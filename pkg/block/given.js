@@ -7,16 +7,17 @@ import { errorOf } from './wire.js';
 /** @typedef {import('./types.js').RunOptions} RunOptions @typedef {import('./types.js').Surroundings} Surroundings */
 
 /** @type {readonly (keyof RunOptions)[]} */
-const OPTIONS = ['settings', 'cameras', 'gps', 'control', 'masks', 'geoid'];
+const OPTIONS = ['settings', 'cameras', 'gps', 'control', 'masks', 'geoid', 'positions'];
 
 /** @param {readonly import('./types.js').Source[]} sources @param {RunOptions} options @param {Surroundings} surroundings */
 export function checkGiven(sources, options, surroundings) {
   if (!isObject(options)) refuse('options', options, 'object');
   const unknown = Object.keys(options).find((name) => !OPTIONS.includes(/** @type {any} */ (name)));
   if (unknown !== undefined) refuseField(unknown);
-  const { cameras, gps, masks, geoid } = options;
+  const { cameras, gps, masks, geoid, positions } = options;
   if (isGiven(cameras) && typeof cameras?.text !== 'string') refuse('cameras', cameras, '{ name, text }');
   if (gps !== undefined && gps !== 'use' && gps !== 'ignore') refuse('gps', gps, 'use, ignore');
+  if (isGiven(positions) && typeof positions !== 'string') refuse('positions', positions, 'text');
   checkSources('images', sources);
   checkSources('masks', masks === undefined ? [] : masks);
   checkSources('geoid', isGiven(geoid) ? [geoid] : []);

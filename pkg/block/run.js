@@ -23,7 +23,7 @@ import { plainError } from './wire.js';
  */
 export async function runBlock(sources, options, surroundings) {
   checkGiven(sources, options, surroundings);
-  const { settings = {}, cameras, gps, control, masks = [], geoid } = options;
+  const { settings = {}, cameras, gps, control, masks = [], geoid, positions } = options;
   const { pool, progress, news, signal } = surroundings;
   const names = (/** @type {readonly Source[]} */ files) => files.map(({ name }) => name);
   const run = new Run({
@@ -34,6 +34,7 @@ export async function runBlock(sources, options, surroundings) {
     use_gnss: gps !== 'ignore',
     control: control ?? null,
     ...(geoid && { geoid: geoid.name }),
+    ...(positions !== undefined && positions !== null && { positions }),
   });
   // One job more than there are workers, so that none of them waits.
   const width = pool.size + 1;
