@@ -78,8 +78,9 @@ pub use film::{
     film_pixel_mm, measurements_in_frames,
 };
 pub use formats::{
-    CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, colmap_features, colmap_matches, export_block,
-    parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
+    CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, ImagePositionRow, ImagePositions, colmap_features,
+    colmap_matches, export_block, parse_camera_rules, parse_ground_control_points, parse_image_measurements, parse_image_positions,
+    read_colmap_model,
 };
 pub use georeferenced::{Georeference, Sidecars};
 pub use image::{
@@ -124,9 +125,9 @@ pub use pair::{
     photo_marks,
 };
 pub use pipeline::{
-    BlockPlaces, BlockRun, CameraRules, CarriedEdits, ControlTables, ControlTexts, EditedRun, FileNeeded, InitialCamera, Job, JoinedPoints,
-    News, NotLinked, OnOrthophoto, PlaceAgain, ReadImage, RefinedObservation, RefinementTable, Run, RunImage, RunInput, SeenIn, SeenPlace,
-    SkippedImage, StageName, Step, Task, Work, digest, execute, masks_of, measurements_of_images,
+    BlockPlaces, BlockRun, CameraRules, CarriedEdits, ControlTables, ControlTexts, EditedRun, FileNeeded, GivenPosition, InitialCamera,
+    Job, JoinedPoints, News, NotLinked, OnOrthophoto, PlaceAgain, PositionTable, ReadImage, RefinedObservation, RefinementTable, Run,
+    RunImage, RunInput, SeenIn, SeenPlace, SkippedImage, StageName, Step, Task, Work, digest, execute, masks_of, measurements_of_images,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use pipeline::{images_in, replace_file, run_block};

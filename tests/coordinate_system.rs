@@ -8,6 +8,8 @@ mod geoid;
 mod mosaic;
 #[path = "coordinate_system/orthophoto.rs"]
 mod orthophoto;
+#[path = "coordinate_system/positions.rs"]
+mod positions;
 
 pub use flown::{GEOID_M, UTM, control, files, flown};
 use flown::{both, by_gnss, in_utm, numbers, run, run_of};

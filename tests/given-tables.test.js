@@ -9,7 +9,10 @@ import { pageModules } from './www.js';
 const page = {};
 
 before(async () => {
-  Object.assign(page, await pageModules(['block/files/files', 'block/files/tables', 'block/state/reducer', 'block/state/state', 'shared/state/store']));
+  Object.assign(
+    page,
+    await pageModules(['block/files/files', 'block/files/tables', 'block/state/given', 'block/state/reducer', 'block/state/state', 'shared/state/store']),
+  );
 });
 
 const POINTS = 'a,0,0,0\nb,100,0,0\nc,0,100,0\n';
@@ -31,17 +34,33 @@ test('a table is what its rows are', () => {
   assert.equal(kind('a.jpg 101 10.5 20\n').kind, 'marks');
   assert.deepEqual(kind('#Label,Enable,X/Easting,Y/Northing,Z/Altitude\nP1,1,412630,5316020,104\n'), { kind: 'control' });
   assert.deepEqual(kind('Spalte;Zeile;x (mm);y (mm)\n1,5;2;-103,9;4\n'), { kind: 'fiducials' });
+  for (const positions of [
+    'image,latitude,longitude,altitude,acc horz,acc vert\none.jpg,50.5,8.25,171.5,0.02,0.04\n',
+    '# CoordinateSystem: none\n#Label,X/Longitude,Y/Latitude,Z/Altitude\none.jpg,8.25,50.5,171.5\n',
+    'Name,Easting,Northing,Elevation\none.jpg,446833,5594521,171\n',
+    'Bild;Rechtswert;Hochwert;Höhe\none.jpg;446833,25;5594521,5;171,5\n',
+    'one.jpg,446833.25,5594521.5,171.5\n',
+    'image,x,y,z\none.jpg,446833,5594521,171\n',
+  ])
+    assert.deepEqual(kind(positions), { kind: 'positions' }, positions);
+  assert.deepEqual(kind('Label,Longitude,Latitude\na,8.25,50.5\n', 'A.JPG'), { kind: 'positions' });
+  // Points of which the first letter is that of a height.
+  assert.equal(kind('one.jpg,H1,1.5,2.5\ntwo.jpg,H1,1.5,2.5\n').kind, 'marks');
   // Names without an ending are those of the block.
   assert.equal(kind('A1,a,1,2\n', 'A1').kind, 'marks');
   assert.equal(kind('photo_1,7,1,2\n', 'Photo_1.JPG').kind, 'marks');
   assert.equal(kind('photo_2,7,1,2\n', 'Photo_1.JPG').kind, 'control');
   for (const [text, why] of /** @type {[string, RegExp][]} */ ([
-    [IMAGES, /rows are images/],
+    [IMAGES, /rows are images of a result/],
     [TIE_POINTS, /rows are tie points/],
     [PAIRS, /neither a column 'name' .*nor a point/],
     ['name,x,y,z\nA,1,two,3\n', /'two' for y in line 2/],
     ['name,x,y,z\n', /no rows/],
     ['', /no rows/],
+    // Positions with what is wrong with them.
+    ['one.jpg,50.5,8.25,171.5\n', /may be latitude and longitude or longitude and latitude/],
+    ['image,lat,lon,height\none.jpg,50.5,8,25,171\ntwo.jpg,50.5,x,171\n', /'x' for lon in line 3/],
+    ['image,lat,lon,height\none,50.5,8.25,171.5\n', /rows name no images: \u2068?one\u2069? is none/],
     // Image measurements with what is wrong with them, not with control points.
     ['Bild;Punkt;x;y\nDSC_0001;P1;100.5;200\n', /first column has to name images .*, and \u2068?DSC_0001\u2069? is none/],
     ['DSC_0001,P1,100.5,200\n', /first column has to name images/],
@@ -89,7 +108,7 @@ test('tables of results are put aside, each with what it is, and the control poi
   assert.equal(notice.kind, 'info');
   assert.match(
     notice.text,
-    /^images\.csv is put aside, neither control points nor image measurements nor fiducial marks: its rows are images, not surveyed points\. pairs\.csv is put aside, /,
+    /^images\.csv is put aside, neither control points nor image measurements, GNSS positions or fiducial marks: its rows are images of a result, neither surveyed points nor GNSS positions\. pairs\.csv is put aside, /,
   );
   // It does not take the place of what is said of the block.
   assert.equal(notice.beside, true);
@@ -110,4 +129,18 @@ test('what is taken beside a table that is put aside is said first; notes are no
   assert.equal(store.state.options, former);
   assert.match(store.state.notice.text, /gcp_list\.txt is put aside, .*: its values stand between spaces/);
   assert.equal(store.state.notice.text.includes('skipped'), false);
+});
+
+test('GNSS positions are taken beside the images that they name, without their endings too', async () => {
+  const { store, take } = taking();
+  await take({ 'flight.csv': 'Label,Longitude,Latitude,Altitude\none,8.25,50.5,171.5\n', 'one.jpg': '', 'two.jpg': '' });
+  assert.equal(store.state.options.positions.name, 'flight.csv');
+  assert.equal(page.given.problemsOf(store.state).positions, undefined);
+  const key = page.state.wantedKey(store.state);
+  await take({ 'flight.csv': 'Label,Easting,Northing,Altitude\none.jpg,446833.2,5594521.7,124.5\n' });
+  assert.notEqual(page.state.wantedKey(store.state), key);
+  assert.match(page.given.problemsOf(store.state).positions, /^flight\.csv: .*without a coordinate system/);
+  // A key of an earlier release has none.
+  store.dispatch({ type: 'options', options: { positions: null } });
+  assert.equal(page.state.wantedKey(store.state).includes('positions'), false);
 });

@@ -64,6 +64,8 @@ export interface RunOptions {
   masks?: readonly Source[] | null;
   /** The geoid from which the heights of the coordinate system count: a GeoTIFF of longitudes and latitudes, GTX, or PGM of GeographicLib. */
   geoid?: Source | null;
+  /** GNSS positions of images in place of those that their files record, as the text of a table (`parse_image_positions`). */
+  positions?: string | null;
   /** Whether an orthophoto is to place the block afterwards (`BlockOnOrthophoto`): then fewer than three control points, or check points alone, are of use. */
   onOrthophoto?: boolean;
 }

@@ -11,6 +11,7 @@ import {
   parse_camera_rules,
   parse_ground_control_points,
   parse_image_measurements,
+  positions_of_images,
 } from '../node.js';
 import { BlockFolder, formatsOf } from './block-folder.js';
 import { about, DataError, UsageError } from './errors.js';
@@ -46,6 +47,11 @@ export const block = {
       'control',
       'points.csv',
       'Ground control points that georeference the block, in place of GNSS positions or, with --crs, beside them: name,x,y,z and perhaps standard errors, in m; a column use makes each control, check or off; needs --marks.',
+    ),
+    path(
+      'positions',
+      'positions.csv',
+      'GNSS positions of images, in place of those that their files record: image,longitude,latitude,height above the ellipsoid or, with --crs, image,x,y,height, and perhaps standard errors of place and height, in m. A first line names the columns, as Metashape, Pix4D, Emlid and ExifTool write them.',
     ),
     path('marks', 'marks.csv', 'Image measurements of the ground control and check points: image,point,x,y in px.'),
     path(
@@ -93,6 +99,7 @@ async function run(call) {
     ...controlOf(values),
     ...masksOf(values),
     ...geoidOf(values, settings),
+    ...positionsOf(values),
     onOrthophoto: values.has('orthophoto'),
   };
   const truth = values.get('truth');
@@ -100,6 +107,8 @@ async function run(call) {
   // What can be refused before anything is computed.
   const names = sources.map(({ name }) => name);
   if (known) about(String(truth), () => check_block_truth(known, names));
+  const { positions } = options;
+  const given = positions === undefined ? [] : about(String(values.get('positions')), () => positions_of_images(positions, names, settings.placing));
   const reference = orthophotoOf(values);
   const folder = new BlockFolder(out, names, formats);
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
@@ -109,6 +118,7 @@ async function run(call) {
       noteElsewhere(
         reference,
         sources.map(({ file }) => file),
+        given,
       );
     const found = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.stage(step) });
     shown.end();
@@ -151,6 +161,12 @@ function controlOf(values) {
   about(control, () => parse_ground_control_points(texts.points));
   about(marks, () => parse_image_measurements(texts.marks));
   return { control: texts };
+}
+
+/** @param {Call['values']} values */
+function positionsOf(values) {
+  const file = values.get('positions');
+  return typeof file === 'string' ? { positions: readText(file) } : {};
 }
 
 /** @param {Call['values']} values */

@@ -51,13 +51,15 @@ export function openReference(file, ground, placing) {
   }
 }
 
+/** Positions that a table gives to images, in their order.  @typedef {readonly (import('../node.js').GivenPosition | null)[]} Given */
+
 /**
- * What is to be said of images before anything is matched: that none records a GNSS position near the orthophoto. Null where one does, or where nothing says it.
- * @param {OrthophotoReference} reference @param {readonly string[]} images @returns {import('../node.js').Remark | null}
+ * What is to be said of images before anything is matched: that none has a GNSS position near the orthophoto. Null where one does, or where nothing says it.
+ * @param {OrthophotoReference} reference @param {readonly string[]} images @param {Given} given @returns {import('../node.js').Remark | null}
  */
-export function elsewhereOf(reference, images) {
+export function elsewhereOf(reference, images, given) {
   if (!reference.info().on_earth) return null;
-  return reference.elsewhere(images.map(positionOf).filter((position) => position !== null));
+  return reference.elsewhere(images.map((image, index) => given[index]?.position ?? positionOf(image)).filter((position) => position !== null));
 }
 
 /** What cannot be read is told when it is placed.  @param {string} image */

@@ -42,9 +42,9 @@ export function orthophotoOf(values) {
   return openReference(file, ground, settingsOf(OPTIONS, values, { placing: placing_defaults() }).placing);
 }
 
-/** Says before anything is matched that the orthophoto is of elsewhere.  @param {OrthophotoReference} reference @param {readonly string[]} images */
-export function noteElsewhere(reference, images) {
-  const doubt = elsewhereOf(reference, images);
+/** Says before anything is matched that the orthophoto is of elsewhere.  @param {OrthophotoReference} reference @param {readonly string[]} images @param {import('./ground.js').Given} given */
+export function noteElsewhere(reference, images, given) {
+  const doubt = elsewhereOf(reference, images, given);
   if (doubt) note(message('remark', doubt));
 }
 

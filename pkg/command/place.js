@@ -59,7 +59,7 @@ async function run({ positionals, values }) {
   const shown = new Progress({ steps: positionals.length + 3 });
   const reference = shown.step(`reading ${file}`, () => openReference(file, ground, placing));
   try {
-    const doubt = shown.step('reading positions', () => elsewhereOf(reference, positionals));
+    const doubt = shown.step('reading positions', () => elsewhereOf(reference, positionals, []));
     const remarks = doubt ? [withText('remark', doubt)] : [];
     shown.end();
     for (const { text } of remarks) note(text);

@@ -377,7 +377,7 @@ refusal-no-number = { $input }: got '{ $word }' for { $column } in line { $line 
 refusal-more-fields = { $input }: got '{ $record }' in line { $line }, with more fields than the { $columns } columns that are named: commas separate them here and are no decimal commas; allowed: decimal points, or columns between semicolons or tabs
 refusal-blank-fields = { $input }: got '{ $record }' in line { $line }, between blanks where the table has { $columns } columns; allowed: as many words in each line, none of them empty, or columns between semicolons, tabs or commas
 refusal-control-column = the table of control points: got neither a column '{ $column }' (or { $known }) nor a point in the first line '{ $names }'; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height, between semicolons, tabs, commas or blanks
-refusal-control-head-unit = the table of control points: got the column '{ $column }' in { $given_in }; allowed: coordinates in { $own }, or in a coordinate system of that unit (--crs)
+refusal-head-unit = { $input }: got the column '{ $column }' in { $given_in }; allowed: coordinates in { $own }, or in a coordinate system of that unit (--crs)
 refusal-control-error-column = the table of control points: got the column '{ $column }' without the other standard errors; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-control-error-unit = the table of control points: got the column '{ $column }', in a unit that is not known; allowed: standard errors in { $units }
 refusal-control-numbers = the table of control points: got { $numbers } numbers behind the name in line { $line } ('{ $record }') and no names of columns; allowed: x, y, z; these and both standard errors, of place and of height; or these and those of x, y and height, each above 0 and up to { $most_m } m. Decimal commas are read between semicolons, tabs or blanks
@@ -392,6 +392,14 @@ refusal-measured-numbers = the table of image measurements: got '{ $x }', '{ $y 
 refusal-measured-decimal-commas = the table of image measurements: got '{ $record }' in line { $line }, whose commas separate columns, and may be meant as decimal commas; allowed: decimal points, or columns between semicolons, tabs or blanks
 refusal-measured-names = the table of image measurements: got no name of image or point in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
 refusal-measured-again = the table of image measurements: got point '{ $point }' in image '{ $image }' again in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
+refusal-position-column = the table of image positions: got no column '{ $column }' (or { $known }) in the first line '{ $names }'; allowed: a first line of column names, as image,latitude,longitude,height or image,easting,northing,height, or lines of image, x, y, height
+refusal-position-kinds = the table of image positions: got the column '{ $x }' beside '{ $y }'; allowed: longitude beside latitude, or easting beside northing
+refusal-position-number = the table of image positions: got '{ $word }' for { $column } in line { $line }; allowed: finite numbers, in a row with any coordinate at least longitude and latitude, or x and y
+refusal-position-name = the table of image positions: got the name '{ $name }' in line { $line }; allowed: file names of images, not empty and without control characters
+refusal-position-errors = the table of image positions: got the standard error { $errors } in line { $line }; allowed: numbers above 0, or empty fields
+refusal-position-again = the table of image positions: got a position of '{ $image }' again in line { $line }; allowed: each image once
+refusal-position-order = the table of image positions: got { $x }, { $y } in line { $line }, which may be latitude and longitude or longitude and latitude; allowed: a first line that names the columns, as image,latitude,longitude,height
+refusal-position-degrees = the table of image positions: got longitude { $longitude_deg } and latitude { $latitude_deg } in line { $line }; allowed: longitudes -180 to 180 and latitudes -90 to 90, in degrees
 
 # Coordinate reference systems.
 refusal-unknown-crs = coordinate reference system: got { $crs }, a code that is unknown here, or of a projection or a kind that is not supported; allowed: EPSG codes of geographic and projected systems, or PROJ text
@@ -412,6 +420,12 @@ refusal-control-place =
        *[false] easting as x and northing as y in the unit of this system
     }
 refusal-control-degrees = ground control point { $point }: got ({ $x }, { $y }), which look like degrees; allowed: easting as x and northing as y, as { $crs } has them
+refusal-position-without-crs = the table of image positions: got ({ $x }, { $y }) in line { $line }, which are no longitude and latitude, without a coordinate system; allowed: longitudes and latitudes in degrees, or a coordinate system of x and y (--crs)
+refusal-position-place =
+    the table of image positions: got ({ $x }, { $y }) in line { $line }, { $degrees ->
+        [true] which look like degrees; allowed: easting and northing as { $crs } has them, or columns named longitude and latitude
+       *[false] which lie outside { $crs }; allowed: easting as x and northing as y in the unit of this system
+    }
 refusal-control-elsewhere =
     ground control point { $point }: got a place { FIXED($distance_km, digits: 0) } km from the GNSS positions of the images, as { $crs } has it; allowed: up to { $most_km } km. { $swapped ->
         [true] With x and y exchanged it lies near them: x is the easting or longitude
@@ -625,6 +639,7 @@ input-point-of-ray = point of an observation
 input-points-of-block = points of the block
 input-position = position
 input-position-sigma = sigma of a position
+input-position-table = the table of image positions
 input-mark-sigma = sigma of an image measurement
 input-ray-sigma = sigma of an observation
 input-right-descriptors = right descriptors
@@ -1260,6 +1275,24 @@ remark-doubled-columns =
     columns of the table of control points give what another column gives (in brackets) and are not read: { $columns }{ $columns_more ->
         [0] {""}
        *[other] {" "}and { $columns_more } more
+    }
+remark-unknown-position-columns =
+    columns of the table of image positions are not understood and not read: { $columns }{ $columns_more ->
+        [0] {""}
+       *[other] {" "}and { $columns_more } more
+    }
+remark-doubled-position-columns =
+    columns of the table of image positions give what another column gives (in brackets) and are not read: { $columns }{ $columns_more ->
+        [0] {""}
+       *[other] {" "}and { $columns_more } more
+    }
+remark-positions-of-other-images =
+    { $all ->
+        [true] the table of image positions names no image of the block, and no position of it is used; it names
+       *[false] the table of image positions names images that the block does not have:
+    } { $images }{ $images_more ->
+        [0] {""}
+       *[other] {" "}and { $images_more } more
     }
 remark-unused-camera = the camera of { $images } fits the name of no image
 remark-doubtful-focal =

@@ -70,6 +70,7 @@ messages! {
         PointsOfBlock,
         Position,
         PositionSigma,
+        PositionTable,
         MarkSigma,
         RaySigma,
         RightDescriptors,

@@ -1,5 +1,6 @@
 //! Reading surveyed points: control and check points of a block.
 
+use super::columns::UnreadColumns;
 use super::control_columns::{Columns, Layout, Unit, meanings, named};
 use crate::error::refuse;
 use crate::text::{Records, Row, records, shorten, table};
@@ -46,15 +47,6 @@ pub fn parse_ground_control_points(text: &str) -> Result<Vec<GroundControlRow>, 
     rows.iter().map(|(line, record)| read_point(&records, record, &columns, *line, &mut names)).collect()
 }
 
-/// The columns of a table of control points that are not read.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(crate) struct UnreadColumns {
-    /// Those that say nothing here: by their names, or `#7` for the seventh where it has none.
-    pub unknown: Vec<String>,
-    /// Those that give what another column gives, each with the one that is read: `up (z)`.
-    pub doubled: Vec<String>,
-}
-
 /// Columns of the table that are not read. One without a name counts where any of its cells holds something.
 ///
 /// # Errors
@@ -68,21 +60,8 @@ pub(crate) fn unread_columns(text: &str) -> Result<UnreadColumns, Error> {
     if names.is_none() && columns.standard_errors.is_none() {
         read.insert(4);
     }
-    let width = rows.iter().map(|(_, record)| record).chain(&names).map(StringRecord::len).max().unwrap_or(0);
-    let named = |column: usize| names.as_ref()?.get(column).filter(|name| !name.is_empty());
-    let mut unread = UnreadColumns::default();
-    for column in (0..width).filter(|column| !read.contains(column)) {
-        let name = named(column);
-        let is_empty = || rows.iter().all(|(_, record)| record.get(column).unwrap_or("").is_empty());
-        let twin = meanings.get(column).copied().flatten().and_then(|meaning| columns.instead_of(meaning));
-        match (name, twin.and_then(named)) {
-            (Some(name), Some(twin)) => unread.doubled.push(format!("{} ({})", shorten(name), shorten(twin))),
-            (Some(name), None) => unread.unknown.push(shorten(name)),
-            (None, _) if !is_empty() => unread.unknown.push(format!("#{}", column + 1)),
-            (None, _) => {}
-        }
-    }
-    Ok(unread)
+    let twin = |column: usize| meanings.get(column).copied().flatten().and_then(|meaning| columns.instead_of(meaning));
+    Ok(UnreadColumns::of(rows, names.as_ref(), &read, twin))
 }
 
 /// A unit of length that the name of a column of coordinates has.
@@ -96,6 +75,21 @@ pub(crate) struct StatedUnit {
     pub is_height: bool,
 }
 
+impl StatedUnit {
+    /// Those that a line of names has for the columns of the plane and of the height.
+    pub(super) fn of(head: &StringRecord, plane: [usize; 2], height: Option<usize>) -> Vec<Self> {
+        let columns = plane.into_iter().map(|column| (column, false)).chain(height.map(|column| (column, true)));
+        let stated = columns.filter_map(|(column, is_height)| {
+            let column = head.get(column)?;
+            match named(column).1? {
+                Unit::Length(unit) => Some(Self { column: shorten(column), unit, is_height }),
+                Unit::Degrees => None,
+            }
+        });
+        stated.collect()
+    }
+}
+
 /// The units of length that columns of coordinates name: the numbers are in them as [`parse_ground_control_points`] reads them.
 ///
 /// # Errors
@@ -103,14 +97,8 @@ pub(crate) struct StatedUnit {
 pub(crate) fn stated_units(text: &str) -> Result<Vec<StatedUnit>, Error> {
     let records = records(Input::ControlTable, text)?;
     let Layout { columns, names, .. } = Layout::of(&records)?;
-    let named = columns.position.iter().enumerate().filter_map(|(axis, column)| {
-        let column = names.as_ref()?.get(*column)?;
-        match named(column).1? {
-            Unit::Length(unit) => Some(StatedUnit { column: shorten(column), unit, is_height: axis == 2 }),
-            Unit::Degrees => None,
-        }
-    });
-    Ok(named.collect())
+    let [x, y, z] = columns.position;
+    Ok(names.map(|names| StatedUnit::of(&names, [x, y], Some(z))).unwrap_or_default())
 }
 
 fn read_point(

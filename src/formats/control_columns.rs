@@ -40,18 +40,18 @@ const NAMES: [(Column, &str); 9] = [
     (
         Column::X,
         "x e east easting longitude lon rechtswert ost xeasting long xlongitude rechts ostwert eastings \
-         est este leste longitud longitudine الشرق شرق الشرقيات خطالطول",
+         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine الشرق شرق الشرقيات خطالطول",
     ),
     (
         Column::Y,
         "y n north northing latitude lat hochwert nord ynorthing ylatitude hoch nordwert northings \
-         norte latitud latitudine الشمال شمال الشماليات خطالعرض",
+         breite gpslatitude ylat norte latitud latitudine الشمال شمال الشماليات خطالعرض",
     ),
     (
         Column::Z,
         // With the sign for a letter that was not in UTF-8, too.
         "z h height elevation altitude elev höhe alt zaltitude zelevation zheight hoehe h\u{fffd}he orthometricheight ellipsoidalheight \
-         ellipsoidheight ellheight hell up \
+         ellipsoidheight ellheight hell ellipsoidischehöhe ellipsoidischehoehe heightellipsoidal gpsaltitude zalt up \
          cota quota cote hauteur altura altitud altitudine elevación elevacion elevação الارتفاع ارتفاع المنسوب منسوب",
     ),
     (Column::ErrorAcross, "across acch"),
@@ -81,10 +81,13 @@ const ERRORS: [&str; 14] = [
 
 /// The axes of standard errors. `h` is none: it is height in one program, horizontal in the next.
 const AXES: [(Column, &[&str]); 5] = [
-    (Column::ErrorAcross, &["xy", "horizontal", "horz", "lage", "across", "en"]),
-    (Column::ErrorX, &["x", "e", "east", "easting"]),
-    (Column::ErrorY, &["y", "n", "north", "northing"]),
-    (Column::ErrorUp, &["z", "vertical", "vert", "u", "höhe", "hoehe", "höhen", "hoehen", "up", "height", "altitude", "elevation", "elev"]),
+    (Column::ErrorAcross, &["xy", "horizontal", "horz", "hor", "lage", "plan", "lateral", "across", "en"]),
+    (Column::ErrorX, &["x", "e", "east", "easting", "longitude", "lon"]),
+    (Column::ErrorY, &["y", "n", "north", "northing", "latitude", "lat"]),
+    (
+        Column::ErrorUp,
+        &["z", "vertical", "vert", "u", "höhe", "hoehe", "höhen", "hoehen", "up", "height", "altitude", "alt", "elevation", "elev"],
+    ),
     (Column::ErrorPx, &["px", "image"]),
 ];
 
@@ -96,12 +99,14 @@ pub(super) enum Unit {
 }
 
 /// Units as tables write them.
-const UNITS: [(&str, Unit); 23] = [
+const UNITS: [(&str, Unit); 25] = [
     ("m", Unit::Length("m")),
     ("metre", Unit::Length("m")),
     ("metres", Unit::Length("m")),
     ("meter", Unit::Length("m")),
     ("meters", Unit::Length("m")),
+    ("decimal degrees", Unit::Degrees),
+    ("decimal degree", Unit::Degrees),
     ("deg", Unit::Degrees),
     ("degree", Unit::Degrees),
     ("degrees", Unit::Degrees),
@@ -134,6 +139,36 @@ fn plain(name: &str) -> String {
     letters(&named(name).0)
 }
 
+/// The names that say a column to hold coordinates: those of the plane, of either, or of longitudes and latitudes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Coordinates {
+    Geographic,
+    Plane,
+    /// `x`, and the `X/Longitude` of programs that name one column for both.
+    Either,
+}
+
+/// What coordinates the name of a column of x or y says to hold.
+pub(super) fn coordinates_of(name: &str) -> Coordinates {
+    let plain = plain(name);
+    let is_of_degrees = ["lon", "lng", "länge", "laenge", "lat", "breite"].iter().any(|word| plain.contains(word));
+    match () {
+        () if plain == "x" || plain == "y" || (is_of_degrees && plain.starts_with(['x', 'y'])) => Coordinates::Either,
+        () if is_of_degrees => Coordinates::Geographic,
+        () => Coordinates::Plane,
+    }
+}
+
+/// Whether a height is named as one above the ellipsoid, or, `Some(false)`, as one above the geoid; `None` where its name leaves that open.
+pub(super) fn is_ellipsoidal(name: &str) -> Option<bool> {
+    let plain = plain(name);
+    match () {
+        () if plain.contains("ell") => Some(true),
+        () if plain.contains("ortho") => Some(false),
+        () => None,
+    }
+}
+
 /// What a name of letters says of NAMES, and how early it stands among the names for that.
 fn listed(plain: &str) -> Option<(Column, usize)> {
     NAMES.iter().find_map(|(column, names)| Some((*column, names.split(' ').position(|known| known == plain)?)))
@@ -156,7 +191,7 @@ fn axis_in_words(joined: &str) -> Option<Option<(Column, usize)>> {
 }
 
 /// What a name says, and how early it stands among the names for that; `None` where it says nothing here, and for standard errors in degrees.
-fn meaning_of(name: &str) -> Option<(Column, usize)> {
+pub(super) fn meaning_of(name: &str) -> Option<(Column, usize)> {
     let (joined, unit) = named(name);
     let plain = letters(&joined);
     let listed = axis_in_words(&joined).unwrap_or_else(|| listed(&plain));
@@ -202,6 +237,19 @@ fn has_unknown_error_unit(name: &str) -> bool {
             unit.is_none() && is_length_error(bare.trim_end()) && AXES.iter().all(|(_, axes)| !axes.contains(&inner.trim()))
         }
         None => unit == Some(Unit::Degrees) && is_length_error(&joined),
+    }
+}
+
+/// The names of a column, between blanks.
+pub(super) fn names_of(column: Column) -> &'static str {
+    NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known)
+}
+
+/// The unit of length that the name of a column has, in m: without one they are metres.
+pub(super) fn unit_m(name: &str) -> f64 {
+    match named(name).1 {
+        Some(Unit::Length(unit)) => LENGTHS.iter().find(|(known, _)| *known == unit).map_or(1.0, |(_, length_m)| *length_m),
+        Some(Unit::Degrees) | None => 1.0,
     }
 }
 
@@ -296,10 +344,7 @@ impl Columns {
             let name = names.get(one).unwrap_or("");
             return refuse(Refusal::ControlErrorColumn { column: shorten(name) });
         }
-        let unit_m = |column: usize| match names.get(column).and_then(|name| named(name).1) {
-            Some(Unit::Length(unit)) => LENGTHS.iter().find(|(known, _)| *known == unit).map_or(1.0, |(_, length_m)| *length_m),
-            Some(Unit::Degrees) | None => 1.0,
-        };
+        let unit_m = |column: usize| names.get(column).map_or(1.0, unit_m);
         let [name, x, y, z] = needed.map(|column| column.unwrap_or(0));
         Ok(Self {
             name,

@@ -1,6 +1,7 @@
 //! Tests: tables of control points and image measurements in the forms of surveyors' programs.
 
-use super::control::{UnreadColumns, parse_ground_control_points, stated_units, unread_columns};
+use super::columns::UnreadColumns;
+use super::control::{parse_ground_control_points, stated_units, unread_columns};
 use super::marks::parse_image_measurements;
 use crate::ControlRole;
 

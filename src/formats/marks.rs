@@ -1,6 +1,6 @@
 //! Reading where images show surveyed points.
 
-use super::columns::{letters, others, without_unit};
+use super::columns::{IMAGES, letters, others, without_unit};
 use crate::error::refuse;
 use crate::text::{Headed, NumberedRecord, Records, Row, records, shorten, table};
 use crate::{Error, Input, Refusal};
@@ -59,7 +59,7 @@ const IN_ORDER: [usize; 4] = [0, 1, 2, 3];
 
 /// The names of these columns here and in other programs, in letters alone. The first of them that a table has is read.
 const NAMES: [&str; 4] = [
-    "image photo picture filename imagename file photoname imagefile imagelabel img bild bildname foto imagen immagine imagem الصورة صورة",
+    IMAGES,
     "point label marker name gcp id pointname pointid gcpname gcpid gcplabel markername pointnumber pointno target nr punkt punktname \
      punktnummer punktnr matricule punto ponto النقطة نقطة",
     "x col column u px pixelx xpixel imagex ximage sample samp spalte colonne columna colonna coluna العمود",

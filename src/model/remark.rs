@@ -25,6 +25,12 @@ messages! {
         UnknownColumns { columns: Vec<String> },
         /// Columns of that table that give what another one gives, each with the one that is read in brackets.
         DoubledColumns { columns: Vec<String> },
+        /// Columns of the table of image positions that are not read.
+        UnknownPositionColumns { columns: Vec<String> },
+        /// Columns of that table that give what another one gives, each with the one that is read in brackets.
+        DoubledPositionColumns { columns: Vec<String> },
+        /// Images that the table of image positions names and that are not in the block; whether it names no other ones.
+        PositionsOfOtherImages { images: Vec<String>, all: bool },
         /// Control and check points that no image measurement names.
         UnmeasuredPoints { points: Vec<String> },
         /// Points of image measurements that the table of control points does not have.

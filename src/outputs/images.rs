@@ -65,7 +65,7 @@ pub(super) fn image_rows(run: &BlockRun) -> Vec<ImageRow> {
         positions,
         rmse_px: rmse_px[index],
         exif_orientation: image.exif.orientation,
-        gnss: image.exif.position,
+        gnss: image.gnss().copied(),
     });
     rows.collect()
 }

@@ -165,7 +165,7 @@ impl<'a> InSystem<'a> {
         let mut above: Vec<f64> = images
             .filter_map(|(image, modelled)| {
                 let [_, _, height] = geographic_from_local(modelled.pose?.position, *origin);
-                Some(image.exif.position.as_ref()?.height_m? - height)
+                Some(image.gnss()?.height_m? - height)
             })
             .collect();
         median(&mut above)

@@ -1,14 +1,13 @@
-//! Ground control points with their image measurements, and GNSS positions, as the reconstruction takes them.
+//! Ground control points with their image measurements, as the reconstruction takes them.
 
 use super::named_images::NamedImages;
-use super::system::{check_stated_units, system_of, with_unit};
+use super::system::{check_stated_units, looks_like_degrees, system_of, units_of, with_unit};
 use crate::crs::{CoordinateSystem, HeightZero};
 use crate::error::refuse;
 use crate::formats::{StatedUnit, UnreadColumns, stated_units, unread_columns};
 use crate::{
-    BlockDescription, ControlRole, Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
-    ImageObservation, KnownCamera, KnownImage, ObservedPosition, Refusal, RtkSolution, parse_ground_control_points,
-    parse_image_measurements,
+    BlockDescription, ControlRole, Error, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
+    ImageObservation, Input, KnownCamera, KnownImage, ObservedPosition, Refusal, parse_ground_control_points, parse_image_measurements,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -76,7 +75,7 @@ impl ControlTables {
         zero: &HeightZero,
         least: usize,
     ) -> Result<(Vec<GroundControlPoint>, Vec<String>), Error> {
-        check_stated_units(&self.stated_units, placing)?;
+        check_stated_units(Input::ControlTable, &self.stated_units, units_of(placing)?)?;
         self.check_metres(placing)?;
         let system = system_of(placing, zero, &self.plane(), &[])?;
         let used = || self.used();
@@ -147,9 +146,8 @@ impl ControlTables {
     /// Refuses degrees where the coordinate system has metres.
     fn check_metres(&self, placing: &GeoreferencingOptions) -> Result<(), Error> {
         let Some(definition) = placing.definition()?.filter(|definition| !definition.is_geographic()) else { return Ok(()) };
-        let looks_like_degrees = |[x, y, _]: [f64; 3]| x.abs() <= 180.0 && y.abs() <= 90.0;
         // One of many may lie beside the origin of the system.
-        if !self.used().all(|(point, _)| looks_like_degrees(point.position)) {
+        if !self.used().all(|(point, _)| looks_like_degrees([point.position[0], point.position[1]])) {
             return Ok(());
         }
         self.used().next().map_or(Ok(()), |(point, _)| {
@@ -187,31 +185,6 @@ fn on_earth(point: &GroundControlRow, system: &CoordinateSystem) -> Result<[f64;
     let ([x, y, _], degrees) = (point.position, system.definition().is_geographic());
     let (name, crs) = (point.name.clone(), system.definition().name());
     system.geographic(point.position).ok_or_else(|| Refusal::ControlPlace { point: name, x, y, crs, degrees }.into_error())
-}
-
-/// Standard errors in m below which those of an RTK solution are not believed: the exposure and the antenna's place have their own.
-const LEAST_RTK_M: f64 = 0.02;
-
-/// The flag of a receiver that has a position at all.
-const LEAST_RTK_FLAG: u8 = 16;
-
-/// A GNSS position as an observation. The standard deviations of an RTK solution go first. A receiver that states its error otherwise states that
-/// of the place: the height is less sure by the same factor as without it. `has_heights`: whether heights count from where others of the block do.
-pub(super) fn gnss_observation(
-    position: &ExifPosition,
-    rtk: Option<&RtkSolution>,
-    placing: &GeoreferencingOptions,
-    has_heights: bool,
-) -> ObservedPosition {
-    let ExifPosition { longitude_deg, latitude_deg, height_m, error_m } = *position;
-    let height_m = height_m.filter(|_| has_heights);
-    if let Some(deviations_m) = rtk.filter(|rtk| rtk.flag >= LEAST_RTK_FLAG).and_then(|rtk| rtk.standard_deviations_m) {
-        let sigma_m = deviations_m.map(|deviation| deviation.max(LEAST_RTK_M));
-        return ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m };
-    }
-    let across = error_m.filter(|error| *error != 0.0).unwrap_or(placing.receiver_across_m);
-    let up = placing.receiver_up_m * (across / placing.receiver_across_m);
-    ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m: [across, across, up] }
 }
 
 #[cfg(test)]
@@ -364,21 +337,5 @@ mod tests {
             let told = seen(points).join(&images, &placing, &HeightZero::Unknown, least).unwrap_err().to_string();
             assert!(told.contains("the point 101"), "{told}");
         }
-    }
-
-    #[test]
-    fn a_stated_error_counts_for_the_height_too() {
-        let position = ExifPosition { longitude_deg: 8.0, latitude_deg: 50.0, height_m: Some(100.0), error_m: Some(1.5) };
-        let placing = GeoreferencingOptions::default();
-        assert!(matches!(gnss_observation(&position, None, &placing, true), ObservedPosition::Geographic { sigma_m: [1.5, 1.5, 3.0], .. }));
-        let silent = ExifPosition { error_m: None, ..position };
-        assert!(matches!(gnss_observation(&silent, None, &placing, true), ObservedPosition::Geographic { sigma_m: [3.0, 3.0, 6.0], .. }));
-        let fixed = RtkSolution { flag: 50, standard_deviations_m: Some([0.011, 0.012, 0.035]) };
-        let by_rtk = gnss_observation(&position, Some(&fixed), &placing, true);
-        assert!(matches!(by_rtk, ObservedPosition::Geographic { sigma_m: [0.02, 0.02, 0.035], .. }), "{by_rtk:?}");
-        let none = RtkSolution { flag: 0, ..fixed };
-        assert_eq!(gnss_observation(&position, Some(&none), &placing, true), gnss_observation(&position, None, &placing, true));
-        let unstated = RtkSolution { standard_deviations_m: None, ..fixed };
-        assert_eq!(gnss_observation(&position, Some(&unstated), &placing, true), gnss_observation(&position, None, &placing, true));
     }
 }

@@ -64,7 +64,7 @@ impl BlockRun {
         let is_linked = matches!(found.orthophoto, Some(OnOrthophoto::Linked { .. }));
         let tested_control = is_linked.then(|| own_control(&as_found));
         let options = ReconstructionOptions { tested_control, ..reconstruction_options(&input.settings) };
-        let alone = known_images(&input, &found.images, true);
+        let alone = known_images(&input, &found.images, |_| true);
         let in_crs = input.settings.placing.crs.is_some();
         let block = FoundBlock {
             model,

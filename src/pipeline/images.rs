@@ -98,9 +98,21 @@ impl Stage for Images {
         let (head, count) = (features.head, features.count as u32);
         let (width_px, height_px) = (head.width_px, head.height_px);
         let camera = state.input.rules.camera_of(&name, [width_px, height_px], &head.exif).1;
-        let news = ReadImage { camera, index: item, name: name.clone(), width_px, height_px, features: count, exif: head.exif.clone() };
-        let image =
-            RunImage { name: name.clone(), key, content, width_px, height_px, features: Some(count), masked, exif: head.exif, camera: 0 };
+        let given = state.input.given[item];
+        let news =
+            ReadImage { camera, index: item, name: name.clone(), width_px, height_px, features: count, exif: head.exif.clone(), given };
+        let image = RunImage {
+            name: name.clone(),
+            key,
+            content,
+            width_px,
+            height_px,
+            features: Some(count),
+            masked,
+            exif: head.exif,
+            given,
+            camera: 0,
+        };
         self.found[item] = Found::Read(Box::new(Read { image, positions, coarse }));
         Ok(Some(Done::of(name, Some(News::Image(news)))))
     }

@@ -3,6 +3,7 @@
 use super::cameras::CameraRules;
 use super::control::ControlTables;
 use super::masks::masks_of;
+use super::positions::{GivenPosition, PositionTable};
 use crate::catalogue::read_options;
 use crate::crs::{Geoid, HeightZero};
 use crate::error::refuse;
@@ -31,6 +32,9 @@ pub struct RunInput {
     /// GeographicLib.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub geoid: Option<String>,
+    /// GNSS positions of images, which take the place of those that the files of these images record: the text of a table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub positions: Option<String>,
     /// Whether an orthophoto is to place the block afterwards: then one or two control points, and check points alone, are of use.
     #[serde(skip_serializing_if = "is_false")]
     pub on_orthophoto: bool,
@@ -59,6 +63,7 @@ impl Default for RunInput {
             use_gnss: true,
             control: None,
             geoid: None,
+            positions: None,
             on_orthophoto: false,
         }
     }
@@ -77,6 +82,9 @@ pub(super) struct Checked {
     pub unused_cameras: Vec<String>,
     pub use_gnss: bool,
     pub control: Option<ControlTables>,
+    pub positions: Option<PositionTable>,
+    /// Of each image the position that the table gives; none where GNSS positions are not used.
+    pub given: Vec<Option<GivenPosition>>,
     pub geoid: Option<String>,
     pub on_orthophoto: bool,
     /// Where the heights of the coordinate system count from; not known before the geoid was read, where one is given.
@@ -102,8 +110,26 @@ impl RunInput {
             control.check(&self.images, &self.settings.placing, self.on_orthophoto)?;
         }
         let zero = self.zero(geoid);
+        let positions = self.positions.as_deref().map(PositionTable::read).transpose()?;
+        let given = positions.as_ref().map(|table| table.of_images(&self.images, &self.settings.placing, &zero)).transpose()?;
+        let given = given.filter(|_| self.use_gnss).unwrap_or_else(|| vec![None; self.images.len()]);
         let Self { settings, images, masks, use_gnss, geoid, on_orthophoto, .. } = self;
-        Ok(Checked { settings, images, masks, mask_of, unused_masks, rules, unused_cameras, use_gnss, control, geoid, on_orthophoto, zero })
+        Ok(Checked {
+            settings,
+            images,
+            masks,
+            mask_of,
+            unused_masks,
+            rules,
+            unused_cameras,
+            use_gnss,
+            control,
+            positions,
+            given,
+            geoid,
+            on_orthophoto,
+            zero,
+        })
     }
 }
 

@@ -1,7 +1,7 @@
 //! What passes between a run and its host.
 
-use super::InitialCamera;
 use super::task::Task;
+use super::{GivenPosition, InitialCamera};
 use crate::{Connection, ExifImage, TwoView};
 use serde::{Deserialize, Serialize};
 
@@ -95,6 +95,9 @@ pub struct ReadImage {
     pub height_px: u32,
     pub features: u32,
     pub exif: ExifImage,
+    /// The GNSS position that a table gives it, in place of that of the file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub given: Option<GivenPosition>,
     /// As far as this image says.
     pub camera: InitialCamera,
 }

@@ -1,11 +1,11 @@
 //! What the run of a block finds.
 
 use super::cameras::InitialCamera;
-use super::{OnOrthophoto, RunInput};
+use super::{GivenPosition, OnOrthophoto, RunInput};
 use crate::crs::Geoid;
 use crate::{
-    BlockEdit, BlockModel, Connection, ExifImage, Failure, JoinCounts, PointSource, Reconstruction, RefinementOutcome, Remark,
-    SharedPoints, TwoView,
+    BlockEdit, BlockModel, Connection, ExifImage, ExifPosition, Failure, JoinCounts, PointSource, Reconstruction, RefinementOutcome,
+    Remark, SharedPoints, TwoView,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -95,8 +95,18 @@ pub struct RunImage {
     /// Whether a mask belongs to it.
     pub masked: bool,
     pub exif: ExifImage,
+    /// The GNSS position that a table gave, in place of that of the file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub given: Option<GivenPosition>,
     /// Index of its camera.
     pub camera: usize,
+}
+
+impl RunImage {
+    /// Its GNSS position: that of a table, else that of its file.
+    pub fn gnss(&self) -> Option<&ExifPosition> {
+        self.given.as_ref().map(|given| &given.position).or(self.exif.position.as_ref())
+    }
 }
 
 /// An image that is not in the block, and why.

@@ -1,18 +1,19 @@
 //! What a run knows, from stage to stage.
 
 use super::cameras::{contradicted, doubtful};
-use super::control::{LEAST_CONTROL, control_point, gnss_observation};
+use super::control::{LEAST_CONTROL, control_point};
 use super::input::{Checked, RunInput};
+use super::observed::observed_position;
 use super::system::{check_near, system_of, with_unit};
-use super::{BlockRun, ControlTables, InitialCamera, JoinedPoints, RefinementTable, RunImage, SkippedImage};
+use super::{BlockRun, ControlTables, GivenPosition, InitialCamera, JoinedPoints, RefinementTable, RunImage, SkippedImage};
 use crate::crs::{CoordinateSystem, Geoid, HeightZero};
 use crate::error::refuse;
 use crate::formats::UnreadColumns;
 use crate::{
-    BlockDescription, BlockModel, CameraCaution, Connection, ControlRole, Error, ExifImage, ExifPosition, Failure, FeatureMatch,
-    GroundControlRow, ImageFeatures, ImpossiblePosition, KnownImage, Reconstruction, Refusal, Remark, TiePoints, TwoView,
-    local_from_geographic,
+    BlockDescription, BlockModel, CameraCaution, Connection, ControlRole, Error, ExifPosition, Failure, FeatureMatch, GroundControlRow,
+    ImageFeatures, ImpossiblePosition, KnownImage, Reconstruction, Refusal, Remark, TiePoints, TwoView, local_from_geographic,
 };
+use std::collections::BTreeMap;
 
 /// Positions of an image's features in px.
 pub(super) type Positions = Vec<[f32; 2]>;
@@ -116,6 +117,7 @@ impl State {
             self.remarks
                 .extend(Some(control.unknown_points()).filter(|points| !points.is_empty()).map(|points| Remark::UnknownPoints { points }));
         }
+        self.remarks.extend(self.input.positions.iter().flat_map(|table| table.remarks(&self.input.images)));
         self.remarks.extend(doubtful(&self.cameras));
         let known = self.images.iter().map(|image| (image.name.as_str(), [image.width_px, image.height_px], &image.exif));
         self.remarks.extend(contradicted(&self.input.rules, known));
@@ -140,7 +142,8 @@ impl State {
 
     fn impossible_positions(&self) -> Option<Remark> {
         let value = |image: &RunImage| Some(ImpossiblePosition { name: image.name.clone(), value: image.exif.impossible.clone()? });
-        let images: Vec<ImpossiblePosition> = self.images.iter().filter(|_| self.input.use_gnss).filter_map(value).collect();
+        let used = self.images.iter().filter(|image| self.input.use_gnss && image.given.is_none());
+        let images: Vec<ImpossiblePosition> = used.filter_map(value).collect();
         (!images.is_empty()).then_some(Remark::ImpossiblePositions { images })
     }
 
@@ -149,14 +152,27 @@ impl State {
     /// # Errors
     /// [`Error::InvalidInput`] for control points that these images do not show; as [`BlockDescription::check`].
     pub fn describe(&mut self) -> Result<(), Error> {
+        self.take_given()?;
         let (description, unknown_images) = describe(&self.input, &self.images, &self.cameras)?;
         (self.description, self.unknown_images) = (description, unknown_images);
         Ok(())
     }
 
+    /// Takes the positions of the table with heights above the ellipsoid, once it is known how high above it their zero lies.
+    fn take_given(&mut self) -> Result<(), Error> {
+        let Checked { positions, use_gnss, zero, settings, .. } = &self.input;
+        let Some(table) = positions.as_ref().filter(|_| *use_gnss) else { return Ok(()) };
+        let given = table.of_images(&self.input.images, &settings.placing, zero)?;
+        let of: BTreeMap<&String, Option<GivenPosition>> = self.input.images.iter().zip(given).collect();
+        for image in &mut self.images {
+            image.given = of.get(&image.name).copied().flatten();
+        }
+        Ok(())
+    }
+
     /// Longitudes and latitudes of the images, and of the ground control points in their system.
     pub fn places(&self) -> [Vec<[f64; 2]>; 2] {
-        let given = self.images.iter().filter_map(|image| gnss(&self.input, &image.exif));
+        let given = self.images.iter().filter_map(|image| gnss(&self.input, image));
         let gnss: Vec<[f64; 2]> = given.map(|position| [position.longitude_deg, position.latitude_deg]).collect();
         let control = self.input.control.as_ref().map(ControlTables::plane).unwrap_or_default();
         let system = system_of(&self.input.settings.placing, &HeightZero::Unknown, &control, &gnss).ok().flatten();
@@ -168,7 +184,7 @@ impl State {
     /// GNSS positions in m east, north and up of the first of them.
     pub fn local_positions(&self) -> Vec<Option<[f64; 3]>> {
         let place = |image: &RunImage| {
-            let position = gnss(&self.input, &image.exif)?;
+            let position = gnss(&self.input, image)?;
             Some([position.longitude_deg, position.latitude_deg, position.height_m.unwrap_or(0.0)])
         };
         let places: Vec<Option<[f64; 3]>> = self.images.iter().map(place).collect();
@@ -205,9 +221,14 @@ impl State {
     }
 }
 
-/// The EXIF of an image as far as a run uses its GNSS position.
-fn gnss<'a>(input: &Checked, exif: &'a ExifImage) -> Option<&'a ExifPosition> {
-    exif.position.as_ref().filter(|_| input.use_gnss)
+/// The GNSS position of an image, where a run uses it.
+fn gnss<'a>(input: &Checked, image: &'a RunImage) -> Option<&'a ExifPosition> {
+    image.gnss().filter(|_| input.use_gnss)
+}
+
+/// Whether the GNSS position of an image has a height that counts from where those of control points do.
+fn has_height_of(image: &RunImage, zero: &HeightZero) -> bool {
+    zero.is_known() || image.given.is_some_and(|given| given.in_crs)
 }
 
 /// What is known of a block before its orientation, and the images that measurements name and that are not in it.
@@ -228,14 +249,16 @@ pub(super) fn describe_with(
 ) -> Result<(BlockDescription, Vec<String>), Error> {
     let placing = &input.settings.placing;
     let places: Vec<[f64; 2]> =
-        images.iter().filter_map(|image| gnss(input, &image.exif)).map(|place| [place.longitude_deg, place.latitude_deg]).collect();
+        images.iter().filter_map(|image| gnss(input, image)).map(|place| [place.longitude_deg, place.latitude_deg]).collect();
     let mut plane = input.control.as_ref().map(ControlTables::plane).unwrap_or_default();
     plane.extend(further.iter().map(|row| [row.position[0], row.position[1]]));
     let named = |error: Error| with_unit(error, placing, &plane, &places);
     let system = system_of(placing, &input.zero, &plane, &places).map_err(named)?;
     let names: Vec<String> = images.iter().map(|image| image.name.clone()).collect();
     // GNSS positions in the system of the points, and heights that count from where theirs do, place the block by themselves.
-    let has_places = places.len() >= LEAST_CONTROL && system.as_ref().is_some_and(|system| system.zero().is_known());
+    let placing_images =
+        |zero: &HeightZero| images.iter().filter(|image| gnss(input, image).is_some() && has_height_of(image, zero)).count();
+    let has_places = system.as_ref().is_some_and(|system| placing_images(system.zero()) >= LEAST_CONTROL);
     let least = if has_places || input.on_orthophoto { 0 } else { LEAST_CONTROL };
     let joined = input.control.as_ref().map(|control| control.join(&names, placing, &input.zero, least)).transpose().map_err(named)?;
     let (mut control, unknown_images) = joined.unwrap_or_default();
@@ -248,18 +271,22 @@ pub(super) fn describe_with(
         control.push(control_point(row, row.role.unwrap_or_default(), placing, system.as_ref()).map_err(named)?);
     }
     system.iter().try_for_each(|system| check_near(&control, &places, system)).map_err(named)?;
-    let has_heights = control.is_empty() || system.is_none_or(|system| system.zero().is_known());
+    let zero = system.as_ref().map(CoordinateSystem::zero);
+    // Heights above an unknown zero are those of the block where control points have them, and where positions of a table do.
+    let in_crs = images.iter().any(|image| image.given.is_some_and(|given| given.in_crs && given.position.height_m.is_some()));
+    let has_heights = |image: &RunImage| zero.is_none_or(|zero| has_height_of(image, zero)) || (control.is_empty() && !in_crs);
+    let known = known_images(input, images, has_heights);
     let cameras = cameras.iter().map(InitialCamera::to_be_calibrated).collect();
-    let description = BlockDescription { cameras, images: known_images(input, images, has_heights), control };
+    let description = BlockDescription { cameras, images: known, control };
     description.check()?;
     Ok((description, unknown_images))
 }
 
-/// What is known of images before their orientation. `has_heights`: whether heights of GNSS positions count from where others of the block do.
-pub(super) fn known_images(input: &Checked, images: &[RunImage], has_heights: bool) -> Vec<KnownImage> {
+/// What is known of images before their orientation. `has_heights`: whether the height of an image's GNSS position counts from where others of the block do.
+pub(super) fn known_images(input: &Checked, images: &[RunImage], has_heights: impl Fn(&RunImage) -> bool) -> Vec<KnownImage> {
     let observed = |image: &RunImage| {
-        let rtk = image.exif.drone.as_ref().and_then(|drone| drone.rtk.as_ref());
-        gnss(input, &image.exif).map(|position| gnss_observation(position, rtk, &input.settings.placing, has_heights))
+        gnss(input, image)?;
+        observed_position(image, &input.settings.placing, has_heights(image))
     };
     let image = |image: &RunImage| KnownImage {
         name: image.name.clone(),
@@ -273,12 +300,14 @@ pub(super) fn known_images(input: &Checked, images: &[RunImage], has_heights: bo
 impl BlockRun {
     /// The GNSS positions of its images, where it uses them.
     pub(crate) fn gnss_positions(&self) -> impl Iterator<Item = &ExifPosition> {
-        self.images.iter().filter(|_| self.input.use_gnss).filter_map(|image| image.exif.position.as_ref())
+        self.images.iter().filter(|_| self.input.use_gnss).filter_map(RunImage::gnss)
     }
 
     /// Whether GNSS positions place it in the system of its ground control points: in that which was chosen, with heights that count from where theirs do.
     pub(crate) fn has_known_zero(&self) -> bool {
-        self.system().is_some_and(|system| system.zero().is_known())
+        let of_table =
+            self.input.use_gnss && self.images.iter().all(|image| image.gnss().is_none() || image.given.is_some_and(|given| given.in_crs));
+        self.system().is_some_and(|system| system.zero().is_known() || (of_table && self.gnss_positions().next().is_some()))
     }
 
     /// The coordinate reference system that was chosen, at the place of the block; absent where none was, and where the block has no place on the earth.

@@ -6,7 +6,8 @@ use crate::formats::{LENGTHS, StatedUnit};
 use crate::math::{dot3, median, turn};
 use crate::reconstruction::Doubted;
 use crate::{
-    Axis, Error, GeoreferencingOptions, GroundControlPoint, Mistake, ObservedPosition, OrthophotoSlip, Refusal, local_from_geographic,
+    Axis, Error, GeoreferencingOptions, GroundControlPoint, Input, Mistake, ObservedPosition, OrthophotoSlip, Refusal,
+    local_from_geographic,
 };
 
 /// No block has ground control points farther from its images.
@@ -84,6 +85,11 @@ pub(super) fn check_near(control: &[GroundControlPoint], gnss: &[[f64; 2]], syst
 /// Feet differ by less, and are told apart by nothing.
 const ALIKE: f64 = 1e-5;
 
+/// Whether coordinates in a plane are hardly others than longitude and latitude.
+pub(super) fn looks_like_degrees([x, y]: [f64; 2]) -> bool {
+    x.abs() <= 180.0 && y.abs() <= 90.0
+}
+
 /// No map of a transverse Mercator projection reaches farther from its central meridian.
 const MOST_FROM_MERIDIAN_DEG: f64 = 4.0;
 
@@ -98,20 +104,20 @@ fn unit_name(unit_m: f64) -> String {
     named.unwrap_or_else(|| format!("{unit_m} m"))
 }
 
-/// Refuses a column of coordinates whose name has another unit than its coordinate system, or than the metres of those without one.
-pub(super) fn check_stated_units(stated: &[StatedUnit], placing: &GeoreferencingOptions) -> Result<(), Error> {
-    if stated.is_empty() {
-        return Ok(());
-    }
-    let definition = placing.definition()?;
-    let (plane_m, height_m) = definition.map_or((Some(1.0), 1.0), |definition| (definition.unit_m(), definition.height_unit_m()));
+/// The units in m of coordinates in the plane of the system that was chosen, absent for degrees, and of its heights; without one both are metres.
+pub(super) fn units_of(placing: &GeoreferencingOptions) -> Result<(Option<f64>, f64), Error> {
+    Ok(placing.definition()?.map_or((Some(1.0), 1.0), |definition| (definition.unit_m(), definition.height_unit_m())))
+}
+
+/// Refuses a column of coordinates whose name has another unit than those of the plane, which are degrees without one, and of the heights.
+pub(super) fn check_stated_units(input: Input, stated: &[StatedUnit], (plane_m, height_m): (Option<f64>, f64)) -> Result<(), Error> {
     let other = stated.iter().find_map(|StatedUnit { column, unit, is_height }| {
         let own_m = if *is_height { Some(height_m) } else { plane_m };
         let given_m = LENGTHS.iter().find(|(name, _)| name == unit).map(|(_, given_m)| *given_m);
         let is_own = own_m.zip(given_m).is_some_and(|(own_m, given_m)| is_unit(own_m, given_m));
         (!is_own).then(|| (column.clone(), *unit, own_m.map_or_else(|| "°".into(), unit_name)))
     });
-    other.map_or(Ok(()), |(column, unit, own)| refuse(Refusal::ControlHeadUnit { column, given_in: unit.into(), own }))
+    other.map_or(Ok(()), |(column, unit, own)| refuse(Refusal::HeadUnit { input, column, given_in: unit.into(), own }))
 }
 
 /// An error of control points that lie elsewhere than they can, or that unit in which they would not.

@@ -3,7 +3,7 @@
 use super::convert::{Bytes, JsResult, Text, TextList, pack, read, side, thrown};
 use crate::{
     Connection, ConnectionGraph, Error, ExifImage, ExportFormat, measurements_of_images, parse_camera_rules as read_rules,
-    parse_ground_control_points as read_points, parse_image_measurements as read_marks,
+    parse_ground_control_points as read_points, parse_image_measurements as read_marks, parse_image_positions as read_positions,
 };
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -34,6 +34,12 @@ pub fn parse_image_measurements(text: &Text, images: Option<TextList>) -> JsResu
     let images = images.map(|images| images.read("images")).transpose()?;
     let rows = read_marks(&text.read("text")?).map_err(thrown)?;
     Ok(pack(&measurements_of_images(rows, &images.unwrap_or_default())))
+}
+
+/// Reads GNSS positions of images: lines of image, longitude, latitude and height, or of image, x, y and height, and perhaps two standard errors.
+#[wasm_bindgen(unchecked_return_type = "ImagePositions")]
+pub fn parse_image_positions(text: &Text) -> JsResult<JsValue> {
+    read_positions(&text.read("text")?).map(|positions| pack(&positions)).map_err(thrown)
 }
 
 /// The names of the formats that blocks are written in.

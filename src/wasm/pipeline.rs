@@ -3,7 +3,8 @@
 use super::convert::{Bytes, JsResult, Text, TextList, kind_of, object, pack, read, read_options, thrown, wrong};
 use super::finished::FinishedBlock;
 use crate::{
-    CameraRules, ControlTables, Document, Error, Failure, GeoreferencingOptions, Run as Pipeline, RunInput, Task, execute, json, masks_of,
+    CameraRules, ControlTables, Document, Error, Failure, GeoreferencingOptions, PositionTable, Run as Pipeline, RunInput, Task, execute,
+    json, masks_of,
 };
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -119,6 +120,20 @@ pub fn check_control(
     let (points, marks, names) = (points.read("points")?, marks.read("marks")?, names.read("names")?);
     let placing: GeoreferencingOptions = read("placing", placing)?;
     ControlTables::read(&points, &marks).and_then(|tables| tables.check(&names, &placing, on_orthophoto.unwrap_or(false))).map_err(thrown)
+}
+
+/// The GNSS position that a table gives to each image, by their names; null where it gives none. Refuses a table that a run of these images would refuse.
+/// Heights in a coordinate reference system whose geoid is a file count from its zero here.
+#[wasm_bindgen(unchecked_return_type = "(GivenPosition | null)[]")]
+pub fn positions_of_images(
+    text: &Text,
+    names: &TextList,
+    #[wasm_bindgen(unchecked_param_type = "GeoreferencingOptions")] placing: &JsValue,
+) -> JsResult<JsValue> {
+    let (text, names) = (text.read("text")?, names.read("names")?);
+    let placing: GeoreferencingOptions = read("placing", placing)?;
+    let given = PositionTable::read(&text).and_then(|table| table.positions(&names, &placing));
+    given.map(|given| pack(&given)).map_err(thrown)
 }
 
 /// Refuses the file of a geoid beside its height, and one without a coordinate system whose heights count from it.

@@ -3,8 +3,10 @@
 import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { test } from 'node:test';
-import { block, drop, photoFolder, photos, status } from './blocks.js';
+import { read_exif } from '../../pkg/node.js';
+import { block, drop, FLIGHT, photoFolder, photos, status } from './blocks.js';
 import { hosted, part, partsNamed, SKIP, until, upload } from './page.js';
+import { blockPhotos } from './rendered.js';
 
 hosted('/given/');
 
@@ -141,6 +143,47 @@ test('heights of a block count from the geoid of a file, which the browser keeps
   await part(page, 'block-geoid-input').setInputFiles(upload('cut.gtx', geoid().slice(0, 100)));
   await part(page, 'block-run').click();
   await status(page, /^The block was not finished: .*cut\.gtx, which is not a geoid file that can be read/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a table of GNSS positions is known among files, georeferences photos that record none and is kept', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  const rows = blockPhotos(FLIGHT).flatMap(({ name, bytes }) => {
+    const { position } = read_exif(bytes, FLIGHT.width_px, FLIGHT.height_px);
+    return position ? [[`photo_${Number(name.replace(/\D/gu, ''))}`, position.latitude_deg, position.longitude_deg, position.height_m].join(',')] : [];
+  });
+  assert.equal(rows.length, 6);
+  const folder = photoFolder(6);
+  await part(page, 'block-folder-input').setInputFiles(folder);
+  await status(page, /^6 images/);
+  const table = ['Label,Latitude,Longitude,Altitude,Yaw', ...rows.map((row) => `${row},1`)].join('\n');
+  await part(page, 'block-files-input').setInputFiles(upload('flight.csv', new TextEncoder().encode(table)));
+  await status(page, /^GNSS positions of images from flight\.csv\.$/);
+  await says(page, 'block-positions-name', /^flight\.csv$/);
+  await part(page, 'tab-block-settings').click();
+  await page.locator('input[data-key="placing.crs"]').first().fill('EPSG:32632');
+  await page.locator('input[data-key="placing.crs"]').first().blur();
+  await part(page, 'block-run').click();
+  await status(page, /^(Oriented|Weak orientation)/);
+  const remarks = (await part(page, 'block-remarks').textContent()) ?? '';
+  assert.match(remarks, /surveyed\.csv are in .*UTM zone 32N/);
+  assert.match(remarks, /columns of the table of image positions are not understood and not read: Yaw/);
+  await until(page, 'the block is kept', async () => (await partsNamed(page, 'block/shown')) > 0);
+  await page.reload();
+  await says(page, 'block-positions-name', /^flight\.csv$/);
+  await says(page, 'block-remarks', /UTM zone 32N/);
+  assert.doesNotMatch((await part(page, 'block-results').getAttribute('class')) ?? '', /is-stale/);
+  // Coordinates of a plane wait for their system.
+  await give(page, 'positions', 'plane.csv', `image,easting,northing\n${rows[0]?.split(',')[0]},500000,5500000\n`);
+  await says(page, 'block-positions-problem', /^$/);
+  await page.locator('input[data-key="placing.crs"]').first().fill('');
+  await page.locator('input[data-key="placing.crs"]').first().blur();
+  await says(page, 'block-positions-problem', /plane\.csv: .*without a coordinate system/);
+  assert.match((await part(page, 'block-results').getAttribute('class')) ?? '', /is-stale/);
+  await part(page, 'block-positions-remove').click();
+  await says(page, 'block-positions-name', /^None\. GNSS positions of images/);
+  rmSync(folder, { recursive: true });
   assert.deepEqual(complaints, []);
   await close();
 });

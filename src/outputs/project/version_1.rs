@@ -87,6 +87,7 @@ impl From<Project> for BlockRun {
                 features: None,
                 masked: false,
                 exif: ExifImage::default(),
+                given: None,
                 camera: image.camera,
             }
         });

@@ -300,12 +300,13 @@ export class BlockEngine {
   }
 }
 
-function runOptions({ gps, cameras, control, marks }: BlockOptions, settings: BlockSettings): RunInput['options'] {
+function runOptions({ gps, cameras, control, marks, positions }: BlockOptions, settings: BlockSettings): RunInput['options'] {
   return {
     settings,
     gps,
     ...(cameras === null ? {} : { cameras }),
     ...(control === null || marks === null ? {} : { control: { points: control.text, marks: marks.text } }),
+    ...(positions === null ? {} : { positions: positions.text }),
   };
 }
 

@@ -175,7 +175,7 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
     groups: connected_groups(read.length, [...connections]),
     layout: layoutOf(
       read.map(() => null),
-      read.map(({ exif }) => exif.position),
+      read.map(({ exif, given }) => given?.position ?? exif.position),
       links,
     ),
     points: { count: 0, taking: 0, sources: none, rays: new Uint16Array(), rmsePx: none, positions: none, errors: none, confidence: none },

@@ -40,7 +40,12 @@ const CAMERAS = /\.json$/iu;
 /** The field that cameras of film have, and files of cameras and settings do not. */
 const FOCAL_LENGTH = 'focal_mm';
 
-const TEXTS: Readonly<Record<GivenText, string>> = { cameras: say('cameras'), control: say('ground-control-points'), marks: say('image-measurements') };
+const TEXTS: Readonly<Record<GivenText, string>> = {
+  cameras: say('cameras'),
+  control: say('ground-control-points'),
+  marks: say('image-measurements'),
+  positions: say('image-positions'),
+};
 
 const NEEDS_MORE = say('a-block-needs-two-images');
 
@@ -109,7 +114,10 @@ export class BlockFiles {
     if (project !== undefined) await this.openProject(project.file);
     if (geoid !== undefined) this.takeGeoid(geoid.file);
     const notCameras = cameras === undefined ? '' : await this.takeCameras(cameras.file, photos);
-    const tables = await this.takeTables(alone.map(({ file }) => file).filter((file) => TABLE.test(file.name) && !film.files.has(file)));
+    const tables = await this.takeTables(
+      alone.map(({ file }) => file).filter((file) => TABLE.test(file.name) && !film.files.has(file)),
+      photos,
+    );
     const aside =
       found.length - photos.length - film.files.size - tables.count - [project, cameras, geoid].filter((file) => file !== undefined).length + lone.length;
     if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '), before);
@@ -266,9 +274,9 @@ export class BlockFiles {
     return lone.map((name) => say('marks-of-no-image', { name })).join(' ');
   }
 
-  /** Takes tables of control points and of image measurements; what is neither is left aside, and changes nothing. `count`: those that are said something of. */
-  private async takeTables(files: readonly File[]): Promise<{ count: number; aside: string }> {
-    const names = new Set(this.store.state.files.map(({ name }) => name));
+  /** Takes tables of control points, of image measurements and of GNSS positions, given with these photos; what is none is left aside, and changes nothing. `count`: those that are said something of. */
+  private async takeTables(files: readonly File[], photos: readonly FoundFile[]): Promise<{ count: number; aside: string }> {
+    const names = new Set([...this.store.state.files, ...photos.map(({ file }) => file)].map(({ name }) => name));
     const aside: string[] = [];
     let count = 0;
     for (const file of files) {
@@ -294,7 +302,8 @@ export class BlockFiles {
     this.store.dispatch({ type: 'options', options: { [given]: { name: file.name, text: await file.text() } } });
     const problem = problemsOf(this.store.state)[given];
     const said = say('from', { texts: TEXTS[given], name: file.name });
-    if (problem === undefined) this.tell('info', given !== 'cameras' && waitsForMarks(this.store.state) ? `${said} ${controlText(this.store.state)}` : said);
+    if (problem === undefined)
+      this.tell('info', (given === 'control' || given === 'marks') && waitsForMarks(this.store.state) ? `${said} ${controlText(this.store.state)}` : said);
     else if (problem === PARTNER_MISSING[given]) this.tell('info', say('from-2', { texts: TEXTS[given], name: file.name, problem }));
     else this.tell('problem', say('the-block-cannot-be-run', { problem: sentence(problem) }));
   }

@@ -278,6 +278,8 @@ function givenFrom(value: unknown, catalogue: BlockCatalogue): Omit<KeptBlock, '
       cameras: text('cameras'),
       control: text('control'),
       marks: text('marks'),
+      // Earlier releases kept none.
+      positions: options.positions === undefined ? null : text('positions'),
     },
     flight: orNull(kept.flight, (flight) => fitted(flight, catalogue.flight, 'flight')),
     truth: orNull(kept.truth, (name) => likeOf(name, '', 'truth')),

@@ -1,14 +1,17 @@
-/** What a table is for, told by its content: control and check points, where images show them, the fiducial marks of a scan of film, or none of these. */
-import { parse_fiducials, parse_ground_control_points, parse_image_measurements } from '../../../pkg/wasm/tiepoint.js';
+/** What a table is for, told by its content: control and check points, where images show them, GNSS positions of images, the fiducial marks of a scan of film, or none of these. */
+import { parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions } from '../../../pkg/wasm/tiepoint.js';
 import { IMAGE_FILE } from '../../../pkg/block/image-files.js';
 import { messageOf } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
 
 /** `why`: what is wrong with one that is neither. */
-export type TableKind = { kind: 'marks' | 'control' | 'fiducials' } | { kind: 'neither'; why: string };
+export type TableKind = { kind: 'marks' | 'control' | 'positions' | 'fiducials' } | { kind: 'neither'; why: string };
 
 /** Columns that the results of a block have, and no table of control points: tie points are found, not surveyed. */
 const OF_TIE_POINTS = ['confidence', 'rmse_px'];
+
+/** Columns that the images of a result have: where the adjustment has them, not a receiver. */
+const OF_RESULT_IMAGES = ['image', 'name', 'camera'];
 
 /** The columns of a table of fiducial marks. */
 const OF_FIDUCIALS = ['col', 'row', 'x_mm', 'y_mm'];
@@ -19,8 +22,11 @@ const OF_IMAGES = /^(?:image|img|photo|picture|frame|bild|foto)/iu;
 /** The column of heights, which image measurements do not have. */
 const OF_HEIGHTS = /^(?:z|h|up|height|alt|elev|hoehe|höhe)/iu;
 
+/** The columns of places on the earth or in its plane and of their heights, which image measurements do not have. */
+const OF_PLACES = /^(?:[xyz][/_ ])?(?:gps)?(?:lon|lng|lat|alt|elev|east|north|rechts|hoch|länge|laenge|breite|höhe|hoehe|height|z\b)/iu;
+
 /** A coordinate, as no point is named. */
-const COORDINATE = /^[+-]?\d+\.\d/u;
+const COORDINATE = /^[+-]?\d+[.,]\d/u;
 
 /** Numbers in a line of a table. */
 const LEAST_NUMBERS = 3;
@@ -60,16 +66,22 @@ export function kindOfTable(text: string, images: ReadonlySet<string>): TableKin
   const isImage = (name: string) => images.has(name) || IMAGE_FILE.test(name) || stems.has(name.toLowerCase());
   const areImages = (names: readonly string[]) => names.length > 0 && names.every(isImage);
   const marks = measurementsOf(text);
-  if ('rows' in marks && areImages(marks.rows.map(({ image }) => image))) return { kind: 'marks' };
+  const positions = positionsOf(text);
+  const columns = columnsOf(text);
+  if (OF_RESULT_IMAGES.every((column) => columns.includes(column))) return { kind: 'neither', why: say('its-rows-are-images') };
+  const havePlaces = hasPlaces(columns, marks);
+  if (!havePlaces && 'rows' in marks && areImages(marks.rows.map(({ image }) => image))) return { kind: 'marks' };
+  if ('rows' in positions && areImages(positions.rows.map(({ image }) => image))) return { kind: 'positions' };
   try {
     const names = parse_ground_control_points(text).map(({ name }) => name);
     if (names.length === 0) return { kind: 'neither', why: say('it-has-no-rows') };
-    if (areImages(names)) return { kind: 'neither', why: say('its-rows-are-images') };
-    if (OF_TIE_POINTS.every((column) => columnsOf(text).includes(column))) return { kind: 'neither', why: say('its-rows-are-tie-points') };
+    if (areImages(names)) return { kind: 'neither', why: 'why' in positions ? positions.why : say('its-rows-are-images') };
+    if (OF_TIE_POINTS.every((column) => columns.includes(column))) return { kind: 'neither', why: say('its-rows-are-tie-points') };
     return { kind: 'control' };
   } catch (error) {
     if (hasNumbers(text) && !/[,;\t]/u.test(text)) return { kind: 'neither', why: say('its-values-stand-between-spaces') };
-    return { kind: 'neither', why: isOfImages(text, marks) ? whyNoMarks(marks) : messageOf(error) };
+    if (havePlaces && columns.some((column) => OF_IMAGES.test(column))) return { kind: 'neither', why: whyNoPositions(positions) };
+    return { kind: 'neither', why: isOfImages(columns, marks) ? whyNoMarks(marks) : messageOf(error) };
   }
 }
 
@@ -83,9 +95,30 @@ function measurementsOf(text: string): Measurements {
   }
 }
 
+type Positions = { rows: ReturnType<typeof parse_image_positions>['rows'] } | { why: string };
+
+function positionsOf(text: string): Positions {
+  try {
+    return { rows: parse_image_positions(text).rows };
+  } catch (error) {
+    return { why: messageOf(error) };
+  }
+}
+
+/** Whether a table says where images were taken, rather than what they show: by its columns or, without names of them, by its rows. */
+function hasPlaces(columns: readonly string[], marks: Measurements): boolean {
+  const areNames = columns.every((column) => !Number.isFinite(Number(column.replace(',', '.'))) || column === '');
+  if (areNames && columns.some((column) => OF_PLACES.test(column))) return true;
+  return 'rows' in marks && marks.rows.length > 0 && marks.rows.every(({ point }) => COORDINATE.test(point));
+}
+
+/** What is wrong with positions that were read, or not. */
+function whyNoPositions(positions: Positions): string {
+  return 'why' in positions ? positions.why : say('its-rows-name-no-images', { name: positions.rows[0]?.image ?? '' });
+}
+
 /** Whether a table that holds no control points is meant to hold image measurements: by its columns, or by its rows where no column is of heights. */
-function isOfImages(text: string, marks: Measurements): boolean {
-  const columns = columnsOf(text);
+function isOfImages(columns: readonly string[], marks: Measurements): boolean {
   if (columns.some((column) => OF_IMAGES.test(column))) return true;
   const haveNames = 'rows' in marks && marks.rows.length > 0 && marks.rows.every(({ point }) => !COORDINATE.test(point));
   return haveNames && !columns.some((column) => OF_HEIGHTS.test(column));

@@ -90,6 +90,7 @@ function besides(store: BlockStore, files: BlockFiles): HTMLElement {
     textFile(store, files, 'cameras', say('cameras'), CAMERAS, '.json,application/json'),
     textFile(store, files, 'control', say('ground-control-points'), CONTROL, '.txt,.csv,text/*'),
     textFile(store, files, 'marks', say('image-measurements'), '', '.txt,.csv,text/*'),
+    textFile(store, files, 'positions', say('image-positions'), say('none-positions-of-images'), '.txt,.csv,text/*'),
     masks(store, files),
     geoid(store, files),
   );

@@ -6,6 +6,7 @@ import {
   masks_of_images,
   parse_image_measurements,
   parse_ground_control_points,
+  positions_of_images,
 } from '../../../pkg/wasm/tiepoint.js';
 import type { GeoreferencingOptions } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
@@ -16,7 +17,7 @@ import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
 
 /** What a run can be given beside its images. */
-export type Given = 'cameras' | 'control' | 'marks' | 'masks' | 'geoid';
+export type Given = 'cameras' | 'control' | 'marks' | 'positions' | 'masks' | 'geoid';
 
 /** A file that is given as text. */
 export type GivenText = Exclude<Given, 'masks' | 'geoid'>;
@@ -32,8 +33,19 @@ type WithGiven = Pick<BlockState, 'files' | 'options' | 'marks' | 'shown' | 'pla
 
 export function problemsOf(state: WithGiven): Problems {
   const { files, options } = state;
-  const { settings, cameras, control, marks, masks, geoid } = options;
-  return problems(files, settings?.placing ?? null, cameras, control, marks, masks, geoid, collectedOf(state), purposeOf(state) === 'block');
+  const { settings, cameras, control, marks, positions, masks, geoid } = options;
+  return problems(
+    files,
+    settings?.placing ?? null,
+    cameras,
+    control,
+    marks,
+    positions,
+    masks,
+    geoid,
+    collectedOf(state),
+    purposeOf(state) === 'block',
+  );
 }
 
 /** The first of them; null where there is none. */
@@ -48,6 +60,7 @@ const problems = remember(
     cameras: BlockOptions['cameras'],
     control: BlockOptions['control'],
     marks: BlockOptions['marks'],
+    positions: BlockOptions['positions'],
     masks: BlockOptions['masks'],
     geoid: BlockOptions['geoid'],
     { run }: ReturnType<typeof collectedOf>,
@@ -71,6 +84,7 @@ const problems = remember(
     const marksRead = marks === null || look('marks', marks.name, () => parse_image_measurements(marks.text));
     if (pointsRead && marksRead && run !== null) look('marks', marks?.name ?? '', () => check_control(run.points, run.marks, names, placing, onOrthophoto));
     if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? '';
+    if (positions !== null) look('positions', positions.name, () => positions_of_images(positions.text, names, placing));
     look('masks', '', () =>
       masks_of_images(
         names,

@@ -56,8 +56,8 @@ export type RestoredBlock = Pick<
 
 /** Whether there is nothing yet that would have to be kept. */
 export function isBlank({ catalogue, files, shown, options, flight, placing }: BlockState): boolean {
-  const { settings, gps, cameras, control, marks, masks, geoid } = options;
-  const noFile = cameras === null && control === null && marks === null && masks.length === 0 && geoid === null;
+  const { settings, gps, cameras, control, marks, positions, masks, geoid } = options;
+  const noFile = cameras === null && control === null && marks === null && positions === null && masks.length === 0 && geoid === null;
   const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === 'use' && noFile && placing.options === catalogue?.placing;
   return (
     catalogue === null ||

@@ -43,6 +43,8 @@ export interface BlockOptions {
   /** Surveyed points, and where the images show them; what is measured by hand is beside these. */
   control: TextFile | null;
   marks: TextFile | null;
+  /** GNSS positions of images, in place of those that their files record. */
+  positions: TextFile | null;
   masks: readonly BlockFile[];
   /** From which the heights of the coordinate system count. */
   geoid: BlockFile | null;
@@ -113,7 +115,7 @@ export const BLOCK_INITIAL: BlockState = {
   files: [],
   removed: [],
   truth: null,
-  options: { settings: null, gps: 'use', cameras: null, control: null, marks: null, masks: [], geoid: null },
+  options: { settings: null, gps: 'use', cameras: null, control: null, marks: null, positions: null, masks: [], geoid: null },
   refused: null,
   flight: null,
   running: { kind: 'no' },
@@ -133,7 +135,11 @@ export type Listed = Pick<Shown, 'view' | 'given'>;
 
 /** Names what a run of the present files and options would be made from. */
 export function wantedKey(state: Pick<BlockState, 'files' | 'options' | 'marks' | 'shown' | 'placing'>): string {
-  return JSON.stringify([state.files.map(({ id }) => id), { ...state.options, ...givenToRun(state), geoid: state.options.geoid ?? undefined }]);
+  const { geoid, positions } = state.options;
+  return JSON.stringify([
+    state.files.map(({ id }) => id),
+    { ...state.options, ...givenToRun(state), geoid: geoid ?? undefined, positions: positions ?? undefined },
+  ]);
 }
 
 /** Whether other files or options made the block on the screen. */

@@ -1,0 +1,126 @@
+//! What the columns of a table of image positions hold, by their names or by their order.
+
+use super::columns::{IMAGES, UnreadColumns, letters, others, without_unit};
+use super::control::StatedUnit;
+use super::control_columns::{Column, Coordinates, coordinates_of, is_ellipsoidal, meaning_of, meanings, names_of, unit_m};
+use crate::error::refuse;
+use crate::text::{NumberedRecord, Records};
+use crate::{Error, Refusal};
+use csv::StringRecord;
+
+/// Names of the column of images beside those that tables of measurements have.
+const FURTHER: &str = "name label cameralabel";
+
+/// The columns of a table of image positions.
+#[derive(Debug, Clone)]
+pub(super) struct PositionColumns {
+    pub image: usize,
+    /// Of x and y, or of longitude and latitude.
+    pub place: [usize; 2],
+    pub height: Option<usize>,
+    /// Of the standard errors of x and of y, of which the larger one counts.
+    pub across: Option<[usize; 2]>,
+    pub up: Option<usize>,
+    /// The units of these three, in m.
+    pub error_units_m: [f64; 3],
+    /// What the names of x and y say of them; absent where the table names no columns.
+    pub coordinates: Option<Coordinates>,
+}
+
+impl PositionColumns {
+    /// The columns of rows without names: standard errors stand behind the height where nothing follows them, or behind three angles.
+    pub fn in_order(records: &Records) -> Self {
+        let width = records.rows.iter().map(|(_, record)| record.len()).max().unwrap_or(0);
+        let errors = match width {
+            6 => Some(4),
+            9 => Some(7),
+            _ => None,
+        };
+        Self {
+            image: 0,
+            place: [1, 2],
+            height: Some(3).filter(|column| *column < width),
+            across: errors.map(|column| [column; 2]),
+            up: errors.map(|column| column + 1),
+            error_units_m: [1.0; 3],
+            coordinates: None,
+        }
+    }
+
+    /// The columns that a line names. Longitudes and latitudes are read where there are others beside them, with the height above the ellipsoid.
+    pub fn named_by(records: &Records, head: &StringRecord) -> Result<Self, Error> {
+        let meanings = meanings(head);
+        let name = |column: usize| head.get(column).unwrap_or("");
+        let rank = |column: usize| meaning_of(name(column)).map_or(usize::MAX, |(_, rank)| rank);
+        let all = |wanted: Column| {
+            let mut found: Vec<usize> = (0..meanings.len()).filter(|column| meanings[*column] == Some(wanted)).collect();
+            found.sort_by_key(|column| (rank(*column), *column));
+            found
+        };
+        let first = |wanted: Column| all(wanted).first().copied();
+        let missing =
+            |column: &str, known: String| Refusal::PositionColumn { column: column.into(), known, names: records.shown(head) }.into_error();
+        let Some(image) = image_column(head) else {
+            return Err(missing("image", others(&format!("{IMAGES} {FURTHER}"))));
+        };
+        let (xs, ys) = (all(Column::X), all(Column::Y));
+        let of = |columns: &[usize], kind| columns.iter().copied().find(|column| coordinates_of(name(*column)) == kind);
+        let kinds = [Coordinates::Geographic, Coordinates::Either, Coordinates::Plane];
+        let pair = kinds.into_iter().find_map(|kind| Some((of(&xs, kind)?, of(&ys, kind)?, kind)));
+        let (x, y, coordinates) = match (pair, xs.first(), ys.first()) {
+            (Some(pair), ..) => pair,
+            (None, None, _) => return Err(missing("longitude", others(names_of(Column::X)))),
+            (None, _, None) => return Err(missing("latitude", others(names_of(Column::Y)))),
+            (None, Some(x), Some(y)) => {
+                let is_mixed = [*x, *y].iter().any(|column| coordinates_of(name(*column)) == Coordinates::Geographic);
+                if is_mixed {
+                    return refuse(Refusal::PositionKinds { x: name(*x).into(), y: name(*y).into() });
+                }
+                (*x, *y, Coordinates::Plane)
+            }
+        };
+        let heights = all(Column::Z);
+        let height = match coordinates {
+            Coordinates::Plane => heights.first().copied(),
+            _ => {
+                let above_ellipsoid = |column: &&usize| is_ellipsoidal(name(**column)) == Some(true);
+                let open = |column: &&usize| is_ellipsoidal(name(**column)).is_none();
+                heights.iter().find(above_ellipsoid).or_else(|| heights.iter().find(open)).copied()
+            }
+        };
+        let apart = first(Column::ErrorX).zip(first(Column::ErrorY)).map(|(x, y)| [x, y]);
+        let of_all = first(Column::ErrorAll);
+        let across = first(Column::ErrorAcross).map(|column| [column; 2]).or(apart).or(of_all.map(|column| [column; 2]));
+        let up = first(Column::ErrorUp).or(of_all);
+        let unit = |column: Option<usize>| column.map_or(1.0, |column| unit_m(name(column)));
+        let error_units_m = [unit(across.map(|[x, _]| x)), unit(across.map(|[_, y]| y)), unit(up)];
+        Ok(Self { image, place: [x, y], height, across, up, error_units_m, coordinates: Some(coordinates) })
+    }
+
+    /// The columns of some rows that are not read. `head`: the line of names, where there is one.
+    pub fn unread(&self, rows: &[NumberedRecord], head: Option<&StringRecord>) -> UnreadColumns {
+        let read = self.place.into_iter().chain([self.image]).chain(self.height).chain(self.across.into_iter().flatten()).chain(self.up);
+        let meanings = head.map(meanings).unwrap_or_default();
+        let twin = |column: usize| match meanings.get(column).copied().flatten()? {
+            Column::X => Some(self.place[0]),
+            Column::Y => Some(self.place[1]),
+            Column::Z => self.height,
+            Column::ErrorAcross | Column::ErrorX | Column::ErrorAll => self.across.map(|[x, _]| x),
+            Column::ErrorY => self.across.map(|[_, y]| y),
+            Column::ErrorUp => self.up,
+            Column::Name | Column::ErrorPx | Column::Use | Column::Kind | Column::Enabled => None,
+        };
+        UnreadColumns::of(rows, head, &read.collect(), twin)
+    }
+
+    /// The units of length that names of columns of coordinates have.
+    pub fn stated_units(&self, head: &StringRecord) -> Vec<StatedUnit> {
+        StatedUnit::of(head, self.place, self.height)
+    }
+}
+
+/// The column of images, where a line names one.
+pub(super) fn image_column(head: &StringRecord) -> Option<usize> {
+    let plain: Vec<String> = head.iter().map(|name| letters(&without_unit(name, &[]).0)).collect();
+    IMAGES.split(' ').chain(FURTHER.split(' ')).find_map(|name| plain.iter().position(|column| column == name))
+}

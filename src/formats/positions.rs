@@ -1,0 +1,359 @@
+//! Reading where images were taken: the GNSS positions of a block from a table.
+
+use super::columns::UnreadColumns;
+use super::control::StatedUnit;
+use super::control_columns::Coordinates;
+use super::position_columns::{PositionColumns, image_column};
+use crate::error::refuse;
+use crate::text::{Records, records, shorten};
+use crate::{Error, Input, Refusal};
+use csv::StringRecord;
+use serde::{Deserialize, Serialize};
+
+/// The positions of images that a table has.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ImagePositions {
+    /// Whether places are longitude and latitude of WGS 84 in degrees, with heights above the ellipsoid; else they are x and y of a coordinate reference system.
+    pub is_geographic: bool,
+    pub rows: Vec<ImagePositionRow>,
+}
+
+/// The position of an image as a table has it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ImagePositionRow {
+    /// The image as the table names it: its file name, perhaps with a folder or without its ending.
+    pub image: String,
+    /// Longitude and latitude in degrees, or x and y in the unit of the coordinate reference system.
+    pub place: [f64; 2],
+    /// Absent where the table has none.
+    pub height: Option<f64>,
+    /// Standard errors of the place and of the height in m, above 0; each is absent where the table has none.
+    pub standard_errors: [Option<f64>; 2],
+    /// The line of the table, counted from 1.
+    pub line: usize,
+}
+
+/// Reads lines of image, longitude, latitude and height, or image, x, y and height, between commas, semicolons or tabs; between the latter two numbers may
+/// have a decimal comma.
+///
+/// A first line that names columns may come before them, in any order, among others, in capitals or not, also behind a `#`: image, longitude and latitude or x
+/// and y, height and standard errors of the place and of the height in m, each by one of many names, English or German. Longitudes and latitudes are read
+/// where there are x and y beside them, with the height above the ellipsoid where there are two. What a run does not read it reports.
+///
+/// Places under names that leave it open (`x`, `X/Longitude`) are longitudes and latitudes where all of them can be. Without names the columns are image, x,
+/// y, height; of six columns the last two, and of nine, behind three angles, the last two are standard errors. Degrees without names are longitude and
+/// latitude in whatever order, where one of the two is beyond 90° somewhere. Rows without any coordinate are skipped, as are blank lines and
+/// lines that begin with `#`.
+///
+/// # Errors
+/// [`Error::InvalidInput`], naming the line, for numbers that are none, images without a name, standard errors that are not above 0, and longitudes and
+/// latitudes that cannot be; for degrees without names whose order nothing tells.
+///
+/// # Source
+/// The tables of image positions of Metashape, Pix4D and Emlid, and of EXIF as ExifTool writes it.
+pub fn parse_image_positions(text: &str) -> Result<ImagePositions, Error> {
+    Table::read(text)?.positions()
+}
+
+/// What a table of image positions says beside them.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct PositionHead {
+    /// Columns that are not read.
+    pub unread: UnreadColumns,
+    /// Units that columns of coordinates have in their names.
+    pub stated_units: Vec<StatedUnit>,
+}
+
+/// What the table says beside its positions.
+///
+/// # Errors
+/// As [`parse_image_positions`].
+pub(crate) fn position_head(text: &str) -> Result<PositionHead, Error> {
+    let Table { records, head, columns } = Table::read(text)?;
+    let stated_units = head.as_ref().map(|head| columns.stated_units(head)).unwrap_or_default();
+    Ok(PositionHead { unread: columns.unread(&records.rows[usize::from(head.is_some())..], head.as_ref()), stated_units })
+}
+
+struct Table {
+    records: Records,
+    /// The line of names, where there is one.
+    head: Option<StringRecord>,
+    columns: PositionColumns,
+}
+
+impl Table {
+    fn read(text: &str) -> Result<Self, Error> {
+        let records = records(Input::PositionTable, text)?;
+        let is_row =
+            |record: &StringRecord| [1, 2].iter().all(|column| record.get(*column).is_some_and(|field| records.number(field).is_some()));
+        match records.rows.first().map(|(_, first)| first) {
+            Some(first) if !is_row(first) => {
+                let (columns, head) = (PositionColumns::named_by(&records, first)?, Some(first.clone()));
+                Ok(Self { records, head, columns })
+            }
+            Some(_) => {
+                let named = commented_head(text).map(|text| Self::read_named(&text)).transpose()?.flatten();
+                Ok(named.unwrap_or_else(|| Self { columns: PositionColumns::in_order(&records), records, head: None }))
+            }
+            None => Ok(Self { columns: PositionColumns::in_order(&records), records, head: None }),
+        }
+    }
+
+    /// The table whose first line may name its columns.
+    fn read_named(text: &str) -> Result<Option<Self>, Error> {
+        let records = records(Input::PositionTable, text)?;
+        let Some((_, head)) = records.rows.first().cloned() else { return Ok(None) };
+        if image_column(&head).is_none() {
+            return Ok(None);
+        }
+        // A comment may say anything.
+        Ok(PositionColumns::named_by(&records, &head).ok().map(|columns| Self { records, head: Some(head), columns }))
+    }
+
+    fn positions(&self) -> Result<ImagePositions, Error> {
+        let rows = self.records.rows.iter().skip(usize::from(self.head.is_some()));
+        let read = rows.map(|(line, record)| self.row(*line, record)).collect::<Result<Vec<Option<ImagePositionRow>>, Error>>()?;
+        let mut rows: Vec<ImagePositionRow> = read.into_iter().flatten().collect();
+        let is_geographic = match self.columns.coordinates {
+            Some(Coordinates::Geographic) => true,
+            Some(Coordinates::Plane) => false,
+            Some(Coordinates::Either) => !rows.is_empty() && rows.iter().all(|row| is_on_earth(row.place)),
+            None => in_order_of_degrees(&mut rows)?,
+        };
+        if let Some(row) = rows.iter().find(|row| is_geographic && !is_on_earth(row.place)) {
+            let [longitude_deg, latitude_deg] = row.place;
+            return refuse(Refusal::PositionDegrees { longitude_deg, latitude_deg, line: row.line });
+        }
+        Ok(ImagePositions { is_geographic, rows })
+    }
+
+    fn row(&self, line: usize, record: &StringRecord) -> Result<Option<ImagePositionRow>, Error> {
+        let columns = &self.columns;
+        let field = |column: usize| record.get(column).unwrap_or("");
+        let number = |column: usize| {
+            let name = self.head.as_ref().and_then(|head| head.get(column)).map_or_else(|| format!("#{}", column + 1), shorten);
+            let refusal = || Refusal::PositionNumber { word: shorten(field(column)), column: name, line };
+            self.records.number(field(column)).ok_or_else(|| refusal().into_error())
+        };
+        let given = |column: Option<usize>| column.filter(|column| !field(*column).is_empty()).map(number).transpose();
+        let image = field(columns.image).to_string();
+        if image.is_empty() || image.chars().any(char::is_control) {
+            return refuse(Refusal::PositionName { name: shorten(&image), line });
+        }
+        if columns.place.into_iter().chain(columns.height).all(|column| field(column).is_empty()) {
+            return Ok(None);
+        }
+        let place = [number(columns.place[0])?, number(columns.place[1])?];
+        let [unit_x, unit_y, unit_up] = columns.error_units_m;
+        let across = match columns.across {
+            Some([x, y]) => {
+                [given(Some(x))?.map(|x| unit_x * x), given(Some(y))?.map(|y| unit_y * y)].into_iter().flatten().reduce(f64::max)
+            }
+            None => None,
+        };
+        let standard_errors = [across, given(columns.up)?.map(|up| unit_up * up)];
+        if let Some(error) = standard_errors.into_iter().flatten().find(|error| !(*error > 0.0)) {
+            return refuse(Refusal::PositionErrors { errors: error.to_string(), line });
+        }
+        Ok(Some(ImagePositionRow { image, place, height: given(columns.height)?, standard_errors, line }))
+    }
+}
+
+/// Whether rows without names of columns are degrees, which are then longitude and latitude.
+fn in_order_of_degrees(rows: &mut [ImagePositionRow]) -> Result<bool, Error> {
+    let Some(first) = rows.first() else { return Ok(false) };
+    let (place, line) = (first.place, first.line);
+    let is_longitude_first = rows.iter().all(|row| is_on_earth(row.place));
+    let is_latitude_first = rows.iter().all(|row| is_on_earth(exchanged(row.place)));
+    match (is_longitude_first, is_latitude_first) {
+        (true, true) => refuse(Refusal::PositionOrder { x: place[0], y: place[1], line }),
+        (false, true) => {
+            rows.iter_mut().for_each(|row| row.place = exchanged(row.place));
+            Ok(true)
+        }
+        (is_geographic, false) => Ok(is_geographic),
+    }
+}
+
+fn exchanged([x, y]: [f64; 2]) -> [f64; 2] {
+    [y, x]
+}
+
+fn is_on_earth([longitude_deg, latitude_deg]: [f64; 2]) -> bool {
+    longitude_deg.abs() <= 180.0 && latitude_deg.abs() <= 90.0
+}
+
+/// The text with the last comment before its first row as a line, as programs write the names of columns; absent where there is none.
+fn commented_head(text: &str) -> Option<String> {
+    let mut comment = None;
+    let mut place = text.len() - text.trim_start_matches('\u{feff}').len();
+    for line in text[place..].split_inclusive('\n') {
+        match line.starts_with('#') {
+            true => comment = Some(place),
+            false if line.trim().is_empty() => {}
+            false => break,
+        }
+        place += line.len();
+    }
+    // A blank in its place leaves all lines where they are.
+    comment.map(|place| format!("{} {}", &text[..place], &text[place + 1..]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> ImagePositions {
+        parse_image_positions(text).unwrap_or_else(|error| panic!("{text}: {error}"))
+    }
+
+    fn message(text: &str) -> String {
+        parse_image_positions(text).unwrap_err().to_string()
+    }
+
+    fn unread(text: &str) -> UnreadColumns {
+        position_head(text).unwrap().unread
+    }
+
+    #[test]
+    fn standard_errors_have_the_units_of_their_names() {
+        let row = &read("image,x,y,z,sigma_xy (mm),sigma_z (cm)\na.jpg,446833,5594521,171,20,4\n").rows[0];
+        let [across, up] = row.standard_errors.map(Option::unwrap);
+        assert!((across - 0.02).abs() < 1e-12 && (up - 0.04).abs() < 1e-12, "{across} {up}");
+    }
+
+    #[test]
+    fn tables_of_many_programs_give_the_same_positions() {
+        let wanted = [("a.jpg", [8.25, 50.5], 171.5), ("b.jpg", [8.26, 50.51], 172.0)];
+        for (text, errors) in [
+            // Pix4D, with the names that its documents give.
+            (
+                "imagename,latitude [decimal degrees],longitude [decimal degrees],altitude [meter],accuracy horz [meter],accuracy vert [meter]\n",
+                None,
+            ),
+            (
+                "image,latitude,longitude,altitude,acc horz,acc vert\na.jpg,50.5,8.25,171.5,0.02,0.04\nb.jpg,50.51,8.26,172,0.02,0.04\n",
+                Some([0.02, 0.04]),
+            ),
+            // Metashape: names behind a `#`, with other comments before and behind.
+            (
+                "# CoordinateSystem: GEOGCS[\"WGS 84\"]\n#Label,X/Longitude,Y/Latitude,Z/Altitude,Error_(m),X_error,X_est\na.jpg,8.25,50.5,171.5,,,\nb.jpg,8.26,50.51,172,1,2,3\n# Total error\n",
+                Some([f64::NAN; 2]),
+            ),
+            // Emlid: x and y of a system beside, and two heights.
+            (
+                "Name,Easting,Northing,Elevation,Longitude,Latitude,Ellipsoidal height,Easting RMS,Northing RMS,Elevation RMS\n\
+                 a.jpg,446833.2,5594521.7,124,8.25,50.5,171.5,0.01,0.02,0.04\nb.jpg,446833.2,5594521.7,125,8.26,50.51,172,0.02,0.01,0.04\n",
+                Some([0.02, 0.04]),
+            ),
+            // ExifTool.
+            ("SourceFile,GPSLatitude,GPSLongitude,GPSAltitude\na.jpg,50.5,8.25,171.5\nb.jpg,50.51,8.26,172\n", Some([f64::NAN; 2])),
+            (
+                "Bild;Länge;Breite;Höhe;Sigma Lage;Sigma Höhe\na.jpg;8,25;50,5;171,5;0,02;0,04\nb.jpg;8,26;50,51;172;0,02;0,04\n",
+                Some([0.02, 0.04]),
+            ),
+            (
+                "photo\tlat\tlng\tellipsoidal height (m)\taccuracy\na.jpg\t50,5\t8,25\t171,5\t0,03\nb.jpg\t50,51\t8,26\t172\t0,03\n",
+                Some([0.03, 0.03]),
+            ),
+            ("file,x,y,z,sigma_xy,sigma_z\na.jpg,8.25,50.5,171.5,0.02,0.04\n\n# b\nb.jpg,8.26,50.51,172,0.02,0.04\n", Some([0.02, 0.04])),
+        ] {
+            let found = read(text);
+            let Some(errors) = errors else {
+                assert!(found.rows.is_empty(), "{text}");
+                continue;
+            };
+            assert!(found.is_geographic, "{text}");
+            let rows: Vec<_> = found.rows.iter().map(|row| (row.image.as_str(), row.place, row.height.unwrap())).collect();
+            assert_eq!(rows, wanted, "{text}");
+            let errors = errors.map(|error| Some(error).filter(|error| !error.is_nan()));
+            assert!(found.rows.iter().all(|row| row.standard_errors == errors), "{text}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn coordinates_of_a_plane_are_told_from_degrees() {
+        for (text, errors) in [
+            ("name;Rechtswert;Hochwert;Höhe\na;446833,25;5594521,5;171,5\n", [None, None]),
+            ("image,easting,northing,elev\na,446833.25,5594521.5,171.5\n", [None, None]),
+            ("#Label,X/Easting,Y/Northing,Z/Altitude\na,446833.25,5594521.5,171.5\n", [None, None]),
+            ("# a flight\na,446833.25,5594521.5,171.5\n", [None, None]),
+            ("a,446833.25,5594521.5,171.5,0.02,0.04\n", [Some(0.02), Some(0.04)]),
+            ("a,446833.25,5594521.5,171.5,1,2,3,0.02,0.04\n", [Some(0.02), Some(0.04)]),
+            ("a,446833.25,5594521.5,171.5,1,2,3\n", [None, None]),
+        ] {
+            let found = read(text);
+            assert!(!found.is_geographic, "{text}");
+            let row = &found.rows[0];
+            assert_eq!((row.place, row.height, row.standard_errors), ([446_833.25, 5_594_521.5], Some(171.5), errors), "{text}");
+        }
+        // `x` of a plane is no longitude where one row lies beyond.
+        assert!(!read("image,x,y\na,10,20\nb,1000,20\n").is_geographic);
+    }
+
+    #[test]
+    fn degrees_without_names_are_read_where_their_order_is_certain() {
+        for text in ["a,-98.5,19.25,5\nb,-80,19.25,5\n", "a,19.25,-98.5,5\nb,19.25,-80,5\n"] {
+            let found = read(text);
+            assert!(found.is_geographic && found.rows[0].place == [-98.5, 19.25] && found.rows[1].place == [-80.0, 19.25], "{found:?}");
+        }
+        let refused = message("# x\na.jpg,50.5,8.25,171.5\n");
+        assert!(
+            refused.contains("50.5, 8.25") && refused.contains("line 2") && refused.contains("image,latitude,longitude,height"),
+            "{refused}"
+        );
+        // One way round for all.
+        assert!(!read("a,-98.5,19.25,5\nb,19.25,-98.5,5\n").is_geographic);
+    }
+
+    #[test]
+    fn heights_and_standard_errors_may_be_absent() {
+        let rows = read("image,lon,lat,height,sigma_xy,sigma_z\na,8,50,,,\nb,8,50,100,,0.05\nc,,,,,\nd,8,50,100,0.02,\n").rows;
+        assert_eq!(
+            rows.iter().map(|row| (row.image.as_str(), row.height)).collect::<Vec<_>>(),
+            [("a", None), ("b", Some(100.0)), ("d", Some(100.0))]
+        );
+        assert_eq!(rows.iter().map(|row| row.standard_errors).collect::<Vec<_>>(), [[None, None], [None, Some(0.05)], [Some(0.02), None]]);
+        assert_eq!(rows[2].line, 5);
+        assert_eq!(read("image,lon,lat\na,8,50\n").rows[0].height, None);
+        // Above the geoid is not above the ellipsoid.
+        let orthometric = "image,lon,lat,orthometric height\na,8,50,100\n";
+        assert_eq!(read(orthometric).rows[0].height, None);
+        assert_eq!(unread(orthometric).unknown, ["orthometric height"]);
+        assert_eq!(read("").rows, []);
+    }
+
+    #[test]
+    fn columns_that_are_not_read_are_named() {
+        let text = "Label,Longitude,Latitude,Altitude,Yaw,Pitch,Roll,Easting,Northing\na,8,50,100,1,2,3,400000,5500000\n";
+        assert_eq!(unread(text).unknown, ["Yaw", "Pitch", "Roll"]);
+        assert_eq!(unread(text).doubled, ["Easting (Longitude)", "Northing (Latitude)"]);
+        assert_eq!(unread("a,400000,5500000,100,1,2,3\n").unknown, ["#5", "#6", "#7"]);
+        let feet = position_head("image,easting (ft),northing (ft),height (m)\na,1400000,5500000,1\n").unwrap().stated_units;
+        assert_eq!(
+            feet.iter().map(|stated| (stated.unit, stated.is_height)).collect::<Vec<_>>(),
+            [("ft", false), ("ft", false), ("m", true)]
+        );
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_by_line() {
+        for (text, named) in [
+            ("image,lon,lat,height\na,8,50,1\nb,8,x,1\n", "'x' for lat in line 3"),
+            ("image,lon,lat,height\na,8,50,high\n", "'high' for height in line 2"),
+            ("image,lon,lat\n# one\n,8,50\n", "the name '' in line 3"),
+            ("image,lon,lat,acc\na,8,50,0\n", "0 in line 2"),
+            ("image,lon,lat\na,8,50\nb,50,98\n", "longitude 50 and latitude 98 in line 3"),
+            ("image,lon,northing\na,8,50\n", "'lon' beside 'northing'"),
+            ("station,lon,lat\na,8,50\n", "no column 'image' (or photo, picture,"),
+            ("image,lon,h\na,8,50\n", "no column 'latitude' (or "),
+            ("image,lat,h\na,8,50\n", "no column 'longitude' (or "),
+            ("a,446833.25,5594521.5,171.5\nb,446833.25,x,1\n", "'x' for #3 in line 2"),
+        ] {
+            let refused = message(text);
+            assert!(refused.contains(named), "{text}: {refused}");
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! GNSS positions of images from a table, in place of those that their files record.
+
+use super::named_images::NamedImages;
+use super::system::{check_stated_units, looks_like_degrees, system_of, units_of};
+use crate::crs::{CoordinateSystem, HeightZero};
+use crate::error::refuse;
+use crate::formats::{PositionHead, UnreadColumns, position_head};
+use crate::text::shorten;
+use crate::{Error, ExifPosition, GeoreferencingOptions, ImagePositionRow, ImagePositions, Input, Refusal, Remark, parse_image_positions};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+
+/// The GNSS position of an image that a table gives.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct GivenPosition {
+    /// Its height is above the ellipsoid; of one in the coordinate reference system above the zero of that, where it is not known how high this lies.
+    pub position: ExifPosition,
+    /// Standard errors of the place and of the height in m, above 0; each is absent where the table has none.
+    pub standard_errors_m: [Option<f64>; 2],
+    /// Whether it was given in the coordinate reference system of the block, whose heights it has.
+    pub in_crs: bool,
+}
+
+/// The table of GNSS positions of images.
+#[derive(Debug, Clone)]
+pub struct PositionTable {
+    positions: ImagePositions,
+    head: PositionHead,
+}
+
+impl PositionTable {
+    /// Reads the table.
+    ///
+    /// # Errors
+    /// As [`parse_image_positions`].
+    pub fn read(text: &str) -> Result<Self, Error> {
+        Ok(Self { positions: parse_image_positions(text)?, head: position_head(text)? })
+    }
+
+    /// The position of each of the images with these names, where the table has one; refuses, before they are read, what a run of them would refuse. Heights
+    /// above a geoid of a file only the run converts.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for an image twice, for coordinates that are no longitude and latitude without a coordinate reference system or outside it,
+    /// and for columns in another unit than that.
+    pub fn positions(&self, images: &[String], placing: &GeoreferencingOptions) -> Result<Vec<Option<GivenPosition>>, Error> {
+        self.of_images(images, placing, &placing.geoid_m.into())
+    }
+
+    /// The same. `zero`: where heights of the coordinate reference system count from.
+    pub(super) fn of_images(
+        &self,
+        images: &[String],
+        placing: &GeoreferencingOptions,
+        zero: &HeightZero,
+    ) -> Result<Vec<Option<GivenPosition>>, Error> {
+        let units = if self.positions.is_geographic { (None, 1.0) } else { units_of(placing)? };
+        check_stated_units(Input::PositionTable, &self.head.stated_units, units)?;
+        let system = self.system(placing, zero)?;
+        let named = NamedImages::new(images);
+        let (mut given, mut names) = (vec![None; images.len()], BTreeSet::new());
+        for row in &self.positions.rows {
+            let image = named.find(&row.image);
+            // An image that is not in the block may not stand there twice either.
+            let is_again = !names.insert(row.image.as_str()) || image.is_some_and(|image| given[image].is_some());
+            if is_again {
+                return refuse(Refusal::PositionAgain { image: shorten(&row.image), line: row.line });
+            }
+            let position = self.position(row, system.as_ref())?;
+            if let Some(image) = image {
+                given[image] = Some(position);
+            }
+        }
+        Ok(given)
+    }
+
+    /// The system of its coordinates; absent for longitudes and latitudes.
+    fn system(&self, placing: &GeoreferencingOptions, zero: &HeightZero) -> Result<Option<CoordinateSystem>, Error> {
+        let ImagePositions { is_geographic, rows } = &self.positions;
+        let Some(first) = rows.first().filter(|_| !is_geographic) else { return Ok(None) };
+        let ([x, y], line) = (first.place, first.line);
+        let Some(definition) = placing.definition()? else { return refuse(Refusal::PositionWithoutCrs { x, y, line }) };
+        if !definition.is_geographic() && rows.iter().all(|row| looks_like_degrees(row.place)) {
+            return refuse(Refusal::PositionPlace { x, y, line, crs: definition.name(), degrees: true });
+        }
+        let plane: Vec<[f64; 2]> = rows.iter().map(|row| row.place).collect();
+        let outside = |row: &&ImagePositionRow| CoordinateSystem::about(definition.clone(), HeightZero::Unknown, row.place).is_err();
+        system_of(placing, zero, &plane, &[]).map_err(|error| match &error {
+            Error::InvalidInput { refusal: Refusal::CrsPlace { .. } } => {
+                let ImagePositionRow { place: [x, y], line, .. } = rows.iter().find(outside).unwrap_or(first);
+                Refusal::PositionPlace { x: *x, y: *y, line: *line, crs: definition.name(), degrees: false }.into_error()
+            }
+            _ => error,
+        })
+    }
+
+    fn position(&self, row: &ImagePositionRow, system: Option<&CoordinateSystem>) -> Result<GivenPosition, Error> {
+        let ImagePositionRow { place: [x, y], height, standard_errors, line, .. } = *row;
+        let [longitude_deg, latitude_deg, height_m] = match system {
+            None => [x, y, height.unwrap_or(0.0)],
+            Some(system) => {
+                let crs = || system.definition().name();
+                let place = system.geographic([x, y, height.unwrap_or(0.0)]);
+                place.ok_or_else(|| Refusal::PositionPlace { x, y, line, crs: crs(), degrees: false }.into_error())?
+            }
+        };
+        let position = ExifPosition { longitude_deg, latitude_deg, height_m: height.map(|_| height_m), error_m: None };
+        Ok(GivenPosition { position, standard_errors_m: standard_errors, in_crs: system.is_some() })
+    }
+
+    /// What a run of images with these names says of the table.
+    pub(super) fn remarks(&self, images: &[String]) -> Vec<Remark> {
+        let UnreadColumns { unknown, doubled } = self.head.unread.clone();
+        let named = NamedImages::new(images);
+        let rows = &self.positions.rows;
+        let others: Vec<String> = rows.iter().filter(|row| named.find(&row.image).is_none()).map(|row| row.image.clone()).collect();
+        let all = others.len() == rows.len();
+        let remarks = [
+            (!unknown.is_empty()).then_some(Remark::UnknownPositionColumns { columns: unknown }),
+            (!doubled.is_empty()).then_some(Remark::DoubledPositionColumns { columns: doubled }),
+            (!others.is_empty()).then_some(Remark::PositionsOfOtherImages { images: others, all }),
+        ];
+        remarks.into_iter().flatten().collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn images() -> [String; 3] {
+        ["IMG_1.JPG", "IMG_2.JPG", "IMG_3.JPG"].map(String::from)
+    }
+
+    fn placing(crs: &str) -> GeoreferencingOptions {
+        GeoreferencingOptions { crs: Some(crs.to_string()).filter(|crs| !crs.is_empty()), ..GeoreferencingOptions::default() }
+    }
+
+    fn refused(text: &str, crs: &str) -> String {
+        let checked = PositionTable::read(text).and_then(|table| table.positions(&images(), &placing(crs)));
+        checked.map_or_else(|error| error.to_string(), |_| String::new())
+    }
+
+    #[test]
+    fn positions_are_those_of_the_images_that_a_table_means() {
+        let text = "image,lat,lon,height,acc,roll\nflight\\img_2.jpg,50.5,8.25,171.5,0.03,1\nimg_3,50.6,8.5,,,1\nother.jpg,1,2,3,,\n";
+        let table = PositionTable::read(text).unwrap();
+        let given = table.of_images(&images(), &placing(""), &HeightZero::Unknown).unwrap();
+        let position = |longitude_deg, latitude_deg, height_m| ExifPosition { longitude_deg, latitude_deg, height_m, error_m: None };
+        let own = |position, standard_errors_m| Some(GivenPosition { position, standard_errors_m, in_crs: false });
+        let wanted = [own(position(8.25, 50.5, Some(171.5)), [Some(0.03); 2]), own(position(8.5, 50.6, None), [None; 2])];
+        assert_eq!(given, [None, wanted[0], wanted[1]]);
+        assert_eq!(
+            table.remarks(&images()),
+            [
+                Remark::UnknownPositionColumns { columns: vec!["roll".into()] },
+                Remark::PositionsOfOtherImages { images: vec!["other.jpg".into()], all: false }
+            ]
+        );
+        // Longitudes and latitudes are those of WGS 84 whatever system the block has.
+        assert_eq!(table.of_images(&images(), &placing("EPSG:25832"), &HeightZero::Level(48.0)).unwrap(), given);
+    }
+
+    #[test]
+    fn coordinates_of_the_system_of_a_block_have_its_heights() {
+        let table = PositionTable::read("image,easting,northing,height\nIMG_1,446833.2,5594521.7,124.5\n").unwrap();
+        let of = |zero: &HeightZero| table.of_images(&images(), &placing("EPSG:25832"), zero).unwrap()[0].unwrap();
+        let (above, unknown) = (of(&HeightZero::Level(48.0)), of(&HeightZero::Unknown));
+        assert!(above.in_crs && (above.position.longitude_deg - 8.25).abs() < 0.01 && (above.position.latitude_deg - 50.5).abs() < 0.01);
+        assert_eq!((above.position.height_m, unknown.position.height_m), (Some(172.5), Some(124.5)));
+    }
+
+    #[test]
+    fn what_a_run_would_refuse_is_refused_before_it() {
+        let plane = "image,easting,northing,height\nIMG_1,446833.2,5594521.7,124.5\n";
+        assert_eq!(refused(plane, "EPSG:25832"), "");
+        for (text, crs, named) in [
+            (plane, "", "(446833.2, 5594521.7) in line 2, which are no longitude and latitude, without a coordinate system"),
+            ("image,x,y\nIMG_1,446833.2,5594521.7\n", "", "(--crs)"),
+            ("image,easting,northing\nIMG_1,8.25,50.5\n", "EPSG:25832", "which look like degrees"),
+            ("image,easting,northing\nIMG_1,446833.2,5594521.7\nIMG_2,4e8,5e9\n", "EPSG:25832", "in line 3, which lie outside"),
+            (
+                "image,easting (ft),northing (ft)\nIMG_1,446833.2,5594521.7\n",
+                "EPSG:25832",
+                "image positions: got the column 'easting (ft)' in ft",
+            ),
+            ("image,lon,lat,height (ft)\nIMG_1,8,50,300\n", "", "'height (ft)' in ft; allowed: coordinates in m"),
+            ("image,lon,lat\nIMG_1.JPG,8,50\nimg_1,8,50\n", "", "'img_1' again in line 3"),
+            ("image,lon,lat\nother,8,50\nother,8,50\n", "", "'other' again in line 3"),
+        ] {
+            let told = refused(text, crs);
+            assert!(told.contains(named), "{text}: {told}");
+        }
+    }
+}
