@@ -6,6 +6,9 @@ pub(crate) const MEDIAN_LENGTH: f64 = 1.177_41;
 /// The median absolute value of a standard normal variable.
 pub(crate) const NORMAL_MEDIAN: f64 = 0.6745;
 
+/// The standard error of a median of many normal variables, in that of their mean.
+pub(crate) const MEDIAN_BY_MEAN: f64 = 1.2533;
+
 /// The `rank`-th smallest value (0 is the smallest); reorders `values`, which must hold more than `rank` of them.
 pub(crate) fn smallest(values: &mut [f64], rank: usize) -> f64 {
     *values.select_nth_unstable_by(rank, f64::total_cmp).1

@@ -2,8 +2,8 @@
 
 use super::added_control::added_control;
 use super::focal_change::tell_after_edits;
-use super::ground::{is_place_of_orthophoto, own_control};
 use super::mistakes::{explain_control, tell_elsewhere};
+use super::place_names::{is_place_of_orthophoto, own_control};
 use super::points::reconstruction_options;
 use super::state::{describe, describe_with, known_images};
 use super::{BlockRun, EditedRun, OnOrthophoto};

@@ -4,6 +4,7 @@ use super::focal_change::tell_by_ground;
 use super::gross_places::{GROSS, beside_neighbours, beyond};
 use super::mistakes::{explain_control, tell_elsewhere};
 use super::place_factors::{PlaceFactors, PlaceResidual, place_factors};
+use super::place_names::{PLACE_NAME, is_place_of_orthophoto, own_control};
 use super::points::reconstruction_options;
 use super::state::describe;
 use super::system::system_of;
@@ -25,8 +26,6 @@ const LEAST_POINTS: usize = 10;
 const MOST_ADJUSTMENTS: usize = 24;
 /// The change of a standard error, as a share of it, that is none.
 const SAME: f64 = 0.05;
-/// What names of these points begin with.
-const NAME: &str = "orthophoto_";
 
 /// A place of the ground of an orthophoto, and where images show it.
 #[derive(Debug, Clone, PartialEq)]
@@ -97,11 +96,11 @@ impl<'a> Ground<'a> {
         let own = given.map(|texts| parse_ground_control_points(&texts.points)).transpose()?.unwrap_or_default();
         let mut measurements = given.map(|texts| parse_image_measurements(&texts.marks)).transpose()?.unwrap_or_default();
         if let Some(same) = own.iter().find(|row| is_place_of_orthophoto(&row.name)) {
-            return refuse(Refusal::ReservedName { name: same.name.clone(), begins: NAME.into() });
+            return refuse(Refusal::ReservedName { name: same.name.clone(), begins: PLACE_NAME.into() });
         }
         let mut added = Vec::new();
         for (number, point) in (1..).zip(points) {
-            let name = format!("{NAME}{number}");
+            let name = format!("{PLACE_NAME}{number}");
             let seen = point.seen.iter().filter_map(|(image, at)| Some((found.images.get(*image)?, at)));
             measurements.extend(seen.map(|(image, [x_px, y_px])| ImageMeasurementRow {
                 image: image.name.clone(),
@@ -319,21 +318,6 @@ impl<'a> Ground<'a> {
         let model = reconstruction.block_model_with(0, &description, |point| confidence.get(&point).copied().unwrap_or(1.0))?;
         Ok(BlockRun { input, reconstruction: Ok(reconstruction), model, orthophoto: Some(outcome), ..found.clone() })
     }
-}
-
-/// How many control points of a block that is linked to an orthophoto were given: the first of all.
-pub(super) fn own_control(description: &BlockDescription) -> usize {
-    description.control.iter().take_while(|point| !is_place_of_orthophoto(&point.name)).count()
-}
-
-/// Whether a control point is a place of an orthophoto: no other may be named so.
-pub(crate) fn is_place_of_orthophoto(name: &str) -> bool {
-    name.starts_with(NAME)
-}
-
-/// The name of a place of an orthophoto that was measured by hand, which no other has.
-pub(crate) fn name_by_hand(number: usize) -> String {
-    format!("{NAME}hand_{number}")
 }
 
 fn has_crs(input: &RunInput) -> bool {

@@ -1,8 +1,8 @@
 //! What explains wrong control points of a block in a coordinate reference system: the numbers that were written are those of the system, not those
 //! of the adjustment, which is Cartesian.
 
-use super::ground::own_control;
 use super::input::Checked;
+use super::place_names::own_control;
 use super::system::{in_other_zone, system_of};
 use crate::reconstruction::Doubted;
 use crate::{BlockDescription, BlockWarning, ControlRole, GeographicOrigin, Mistake, ReconstructedModel, geographic_from_local};

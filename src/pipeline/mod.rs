@@ -32,6 +32,7 @@ mod observed;
 mod on_orthophoto;
 mod pairs;
 mod place_factors;
+mod place_names;
 mod places;
 mod points;
 mod positions;
@@ -51,7 +52,7 @@ pub use control::ControlTables;
 pub use execute::execute;
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::replace_file;
-pub(crate) use ground::{GroundPoint, is_place_of_orthophoto, name_by_hand};
+pub(crate) use ground::GroundPoint;
 #[cfg(not(target_arch = "wasm32"))]
 pub use host::{images_in, run_block};
 pub use input::{ControlTexts, RunInput};
@@ -60,6 +61,7 @@ pub(crate) use mask_file::decode_mask;
 pub use masks::masks_of;
 pub use named_images::measurements_of_images;
 pub use on_orthophoto::{NotLinked, OnOrthophoto};
+pub(crate) use place_names::{is_place_of_orthophoto, name_by_hand};
 pub use places::{BlockPlaces, PlaceAgain, SeenIn, SeenPlace};
 pub use positions::{GivenPosition, PositionTable};
 pub use records::digest;

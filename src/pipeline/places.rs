@@ -2,7 +2,7 @@
 
 use super::BlockRun;
 use super::OnOrthophoto;
-use super::ground::is_place_of_orthophoto;
+use super::place_names::is_place_of_orthophoto;
 use crate::{Error, PointSource, ReconstructedModel, parse_ground_control_points};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

@@ -6,10 +6,9 @@
 use super::material::Known;
 use super::mistake::Axis;
 use super::result::{PointSource, ReconstructedModel, SurveyedPoint};
-use super::review::MEDIAN_BY_MEAN;
 use super::warning::BlockWarning;
 use crate::adjustment::{Part, Unknown};
-use crate::math::median;
+use crate::math::{MEDIAN_BY_MEAN, median};
 use crate::{BlockDescription, ControlRole};
 use std::collections::BTreeMap;
 

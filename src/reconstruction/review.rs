@@ -14,7 +14,7 @@ use super::result::{PointSource, ReconstructedModel};
 use super::units::of_units;
 use super::warning::{BlockWarning, Observed, RejectedPosition, UNKNOWN_TURN_DEG};
 use crate::adjustment::{ObservationVerdict, PriorStatistics, SystematicError, SystematicVerdict};
-use crate::math::{NORMAL_MEDIAN, median};
+use crate::math::{MEDIAN_BY_MEAN, NORMAL_MEDIAN, median};
 use crate::model::{BlockDescription, ControlRole};
 use crate::pair::LARGEST_SIGMA0_PX;
 
@@ -33,8 +33,6 @@ const LOOKING_UP_DEG: f64 = 150.0;
 
 /// GNSS positions, at least, whose median tells what all have in common.
 const LEAST_POSITIONS: usize = 4;
-/// The standard error of a median of many normal variables, in that of their mean.
-pub(super) const MEDIAN_BY_MEAN: f64 = 1.2533;
 
 /// `placing`: how the model came to lie where it does.
 pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: Placing, tests: &ControlTests) -> Vec<BlockWarning> {
