@@ -131,7 +131,7 @@ test('options, images, pool and store that are none are refused by their names, 
     );
   await refused(images, { setting: {} }, surroundings, /^options: setting: unknown field `setting`, expected one of `settings`, `cameras`, `gps`, /);
   await refused(images, { gps: 'no' }, surroundings, /^gps is no; allowed: use, ignore$/);
-  await refused(images, { positions: ['a,8,50'] }, surroundings, /^positions is \[1\]; allowed: text$/);
+  await refused(images, { positions: ['a,8,50'] }, surroundings, /^positions is \[1\]; allowed: string$/);
   await refused(images, { cameras: '{}' }, surroundings, /^cameras is \{\}; allowed: \{ name, text \}$/);
   await refused(images, { masks: ['a.png'] }, surroundings, /^masks\[0\] is a\.png; allowed/);
   await refused(['a.png', 'b.png'], {}, surroundings, /^images\[0\] is a\.png; allowed: \{ name, bytes \}$/);
