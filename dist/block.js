@@ -1,5 +1,5 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
-import { asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { asFigure, asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
 function blockCatalogue({ parameters, flightParameters }) {
@@ -369,9 +369,15 @@ function reducePlacing(placing, action) {
 function isSameLooked(a, b) {
 	return a.image === b.image && a.link === b.link;
 }
+// www/block/state/marks.ts
+var LEAST_POINTS = 3;
+var LEAST_PLACED = 1;
 var LEAST_IMAGES$1 = 2;
 var pointsOfFile = remember((control) => readOr(control, parse_ground_control_points));
-var marksOfFile = remember((marks) => readOr(marks, parse_image_measurements));
+var marksOfFile = remember((marks, images) => {
+	const names = images.map(({ name }) => name);
+	return readOr(marks, (text) => parse_image_measurements(text, names));
+});
 function readOr(file, read) {
 	try {
 		return file === null ? [] : read(file.text);
@@ -391,19 +397,22 @@ var marksByHand = remember(({ edits, done }) => {
 	}
 	return [...held.values()];
 });
-var allMarks = remember((file, history) => {
-	const all = [...marksOfFile(file), ...marksByHand(history)];
+var allMarks = remember((file, history, images) => {
+	const all = [...marksOfFile(file, images), ...marksByHand(history)];
 	return [...new Map(all.map((mark) => [keyOf$1(mark), mark])).values()];
 });
-var collected = remember((control, file, history, files) => {
+var collected = remember((control, file, history, files, isPlaced) => {
 	const byHand = marksByHand(history);
+	const needed = isPlaced ? LEAST_PLACED : LEAST_POINTS;
 	if (control === null) return {
 		twice: 0,
+		needed,
 		run: null,
 		asGiven: true
 	};
 	if (file !== null && byHand.length === 0) return {
 		twice: 0,
+		needed,
 		run: {
 			points: control.text,
 			marks: file.text
@@ -413,21 +422,28 @@ var collected = remember((control, file, history, files) => {
 	const points = pointsOfFile(control);
 	const [names, images] = [new Set(points.map(({ name }) => name)), new Set(files.map(({ name }) => name))];
 	const ofHand = new Set(byHand);
-	const marks = allMarks(file, history).filter((mark) => !ofHand.has(mark) || names.has(mark.point) && images.has(mark.image));
+	const marks = allMarks(file, history, files).filter((mark) => !ofHand.has(mark) || names.has(mark.point) && images.has(mark.image));
 	const seen = new Map();
 	for (const { point, image } of marks) if (images.has(image)) seen.set(point, (seen.get(point) ?? 0) + 1);
-	const twice = points.filter(({ name, role }) => role === "control" && (seen.get(name) ?? 0) >= LEAST_IMAGES$1).length;
+	const counts = ({ role }) => role === "control" || isPlaced && role === "check";
+	const twice = points.filter((point) => counts(point) && (seen.get(point.name) ?? 0) >= LEAST_IMAGES$1).length;
 	return {
 		twice,
-		run: twice < 3 ? null : {
+		needed,
+		run: twice < needed ? null : {
 			points: control.text,
 			marks: image_measurement_table(marks)
 		},
 		asGiven: false
 	};
 });
-function collectedOf({ files, options, marks }) {
-	return collected(options.control, options.marks, marks, files);
+function isPlaced({ shown, placing }) {
+	if (placing.purpose === "block" || shown !== null && shown.ground !== null) return true;
+	return shown !== null && shown.found.origin !== null && shown.found.crs !== null && shown.found.geoidM !== null;
+}
+function collectedOf(state) {
+	const { files, options, marks } = state;
+	return collected(options.control, options.marks, marks, files, isPlaced(state));
 }
 function waitsForMarks(state) {
 	return state.options.control !== null && collectedOf(state).run === null;
@@ -452,7 +468,7 @@ function givenToRun(state) {
 }
 var placesOfGiven = remember((name, view, file, history) => {
 	const index = new Map(view.images.map((image, i) => [image.name, i]));
-	return new Map(allMarks(file, history).flatMap(({ point, image, x_px, y_px }) => {
+	return new Map(allMarks(file, history, view.images).flatMap(({ point, image, x_px, y_px }) => {
 		const at = index.get(image);
 		return point === name && at !== void 0 ? [[at, [x_px, y_px]]] : [];
 	}));
@@ -634,6 +650,7 @@ var BLOCK_INITIAL = {
 		cameras: null,
 		control: null,
 		marks: null,
+		positions: null,
 		masks: [],
 		geoid: null
 	},
@@ -651,10 +668,12 @@ var BLOCK_INITIAL = {
 	notice: null
 };
 function wantedKey(state) {
+	const { geoid, positions } = state.options;
 	return JSON.stringify([state.files.map(({ id }) => id), {
 		...state.options,
 		...givenToRun(state),
-		geoid: state.options.geoid ?? void 0
+		geoid: geoid ?? void 0,
+		positions: positions ?? void 0
 	}]);
 }
 function isOutdated(state) {
@@ -1311,13 +1330,15 @@ function calibrationsOf({ verdict, cameras }, isSimulated, at) {
 }
 // www/block/state/given.ts
 var PARTNER_MISSING = { marks: say("image-measurements-need-their-ground") };
-function problemsOf({ files, options, marks }) {
-	return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks, options.geoid, marks);
+function problemsOf(state) {
+	const { files, options } = state;
+	const { settings, cameras, control, marks, positions, masks, geoid } = options;
+	return problems(files, settings?.placing ?? null, cameras, control, marks, positions, masks, geoid, collectedOf(state), purposeOf(state) === "block");
 }
 function firstProblem(state) {
 	return Object.values(problemsOf(state))[0] ?? null;
 }
-var problems = remember((files, placing, cameras, control, marks, masks, geoid, byHand) => {
+var problems = remember((files, placing, cameras, control, marks, positions, masks, geoid, { run }, onOrthophoto) => {
 	if (placing === null) return {};
 	const names = files.map(({ name }) => name);
 	const found = {};
@@ -1333,16 +1354,9 @@ var problems = remember((files, placing, cameras, control, marks, masks, geoid, 
 	if (cameras !== null) look("cameras", cameras.name, () => check_cameras(cameras.text, names));
 	const pointsRead = control !== null && look("control", control.name, () => parse_ground_control_points(control.text));
 	const marksRead = marks === null || look("marks", marks.name, () => parse_image_measurements(marks.text));
-	const { run } = collectedOf({
-		files,
-		options: {
-			control,
-			marks
-		},
-		marks: byHand
-	});
-	if (pointsRead && marksRead && run !== null) look("marks", marks?.name ?? "", () => check_control(run.points, run.marks, names, placing));
+	if (pointsRead && marksRead && run !== null) look("marks", marks?.name ?? "", () => check_control(run.points, run.marks, names, placing, onOrthophoto));
 	if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? "";
+	if (positions !== null) look("positions", positions.name, () => positions_of_images(positions.text, names, placing));
 	look("masks", "", () => masks_of_images(names, masks.map(({ name }) => name)));
 	if (geoid !== null) look("geoid", "", () => check_geoid(geoid.name, placing));
 	return found;
@@ -1392,10 +1406,13 @@ var BlockEngine = class {
 		try {
 			const input = {
 				files,
-				options: runOptions({
-					...state.options,
-					...givenToRun(state)
-				}, settings),
+				options: {
+					...runOptions({
+						...state.options,
+						...givenToRun(state)
+					}, settings),
+					onOrthophoto: purposeOf(state) === "block"
+				},
 				masks: state.options.masks,
 				geoid: state.options.geoid,
 				truth,
@@ -1419,7 +1436,7 @@ var BlockEngine = class {
 			const stopped = this.port !== channel.port1;
 			this.store.dispatch({
 				type: "ended",
-				failure: stopped || error instanceof Cancelled ? null : reasonOf(error)
+				failure: stopped || error instanceof Cancelled ? null : reasonOf$1(error)
 			});
 		} finally {
 			channel.port1.close();
@@ -1634,12 +1651,12 @@ var BlockEngine = class {
 			if (!(error instanceof Cancelled)) tell({
 				kind: "broke",
 				id,
-				message: reasonOf(error)
+				message: reasonOf$1(error)
 			});
 		}
 	}
 };
-function runOptions({ gps, cameras, control, marks }, settings) {
+function runOptions({ gps, cameras, control, marks, positions }, settings) {
 	return {
 		settings,
 		gps,
@@ -1647,13 +1664,14 @@ function runOptions({ gps, cameras, control, marks }, settings) {
 		...control === null || marks === null ? {} : { control: {
 			points: control.text,
 			marks: marks.text
-		} }
+		} },
+		...positions === null ? {} : { positions: positions.text }
 	};
 }
 function buffersOf({ inputs }) {
 	return [...new Set(inputs.map(({ buffer }) => buffer))];
 }
-function reasonOf(error) {
+function reasonOf$1(error) {
 	return breakdownOf(error) ?? messageOf(error);
 }
 // www/block/state/edits.ts
@@ -3006,6 +3024,23 @@ function placesOf$2({ observations }) {
 		by: by_hand ? "hand" : "least_squares"
 	}));
 }
+var ONE_PLACE_PX = 5;
+function apart(points) {
+	let farthest = null;
+	const seen = new Map();
+	for (const point of points) for (const { image, x_px, y_px } of placesOf$2(point)) {
+		const others = seen.get(image) ?? [];
+		for (const [x, y] of others) {
+			const px = Math.hypot(x - x_px, y - y_px);
+			if (px > (farthest?.px ?? ONE_PLACE_PX)) farthest = {
+				image,
+				px
+			};
+		}
+		seen.set(image, [...others, [x_px, y_px]]);
+	}
+	return farthest;
+}
 function joined(points) {
 	const [first, ...others] = [...points].sort((a, b) => rank(b) - rank(a));
 	if (first?.id == null || others.length === 0 || others.some(isSurveyed)) return null;
@@ -3125,7 +3160,7 @@ function describe({ view, given }, choice, gsd = "") {
 		case "pair": return describePair(view, choice.images);
 		case "pairs": return describePairs(view, choice.pairs);
 		case "point": return describePoint(view, choice.point);
-		case "observation": return `${view.images[choice.image]?.name ?? ""}, ${describePoint(view, choice.point)}`;
+		case "observation": return `${asFigure(view.images[choice.image]?.name ?? "")}, ${describePoint(view, choice.point)}`;
 		case "points": return describePoints(view, choice.points);
 		case "given": return describeGiven(given, choice.name);
 	}
@@ -3177,14 +3212,15 @@ function describePair(view, images) {
 	const connection = connectionOf(view, images);
 	if (connection === void 0) return say("this-pair-was-not-tried", { names });
 	const { geometry, shared, chosen } = connection;
-	return `${names}: ${[
+	const parts = [
 		outcomeText(connection).replace(/\.$/u, ""),
 		geometryText(geometry),
 		shared > 0 ? say("common-points-selected", {
 			shared,
 			chosen
 		}) : ""
-	].filter((part) => part !== "").join("; ")}.`;
+	];
+	return `${asFigure(names)}: ${parts.filter((part) => part !== "").join("; ")}.`;
 }
 function nameOfPair({ images }, pair) {
 	return pair.map((image) => images[image]?.name ?? "").join(" – ");
@@ -3230,9 +3266,10 @@ function describeGiven(given, name) {
 	return point.place === null ? say("given-point-of-file", said) : say("given-point", said);
 }
 function controlText(state) {
+	const { twice, needed } = collectedOf(state);
 	return say("control-waits", {
-		twice: collectedOf(state).twice,
-		needed: 3
+		twice,
+		needed
 	});
 }
 function givenUse({ role, images }) {
@@ -3297,11 +3334,32 @@ function makeStep(store, edits) {
 	});
 }
 var MOST_JOINED = 8;
-function joinedOf({ selection, shown }, facts) {
+function toJoin({ selection, shown }, facts) {
 	const points = pointsOf(selection.chosen);
 	if (shown === null || points.length < 2 || points.length > MOST_JOINED || points.some((point) => point >= shown.view.points.taking)) return null;
 	const details = [...points].flatMap((point) => facts.point(point) ?? []);
-	return details.length < points.length ? null : joined(details);
+	return details.length < points.length || joined(details) === null ? null : details;
+}
+function join(store, facts) {
+	const points = toJoin(store.state, facts);
+	if (points === null) return;
+	const far = apart(points);
+	if (far === null) {
+		makeStep(store, joined(points));
+		return;
+	}
+	const image = store.state.shown?.view.images[far.image]?.name ?? "";
+	store.dispatch({
+		type: "notice",
+		notice: {
+			kind: "problem",
+			text: say("not-joined", {
+				image,
+				px: fixed(far.px, 0)
+			}),
+			beside: true
+		}
+	});
 }
 function splitOf({ selection, shown, panes }, facts) {
 	const [point, ...more] = pointsOf(selection.chosen);
@@ -3400,8 +3458,8 @@ function mountEditBar(store, facts, measures) {
 		measures()?.toggle(false);
 	}, say("measure-the-chosen-point-in"));
 	const add = button(say("add-point"), "block-add-point", () => measures()?.toggle(true), say("measure-a-new-tie-point"));
-	const join = button(say("join"), "block-join", () => makeStep(store, joinedOf(store.state, facts)), say("the-chosen-points-are-one"));
-	const apart = button(say("split"), "block-split", () => makeStep(store, splitOf(store.state, facts)), say("the-point-is-two-one"));
+	const joining = button(say("join"), "block-join", () => join(store, facts), say("the-chosen-points-are-one"));
+	const parting = button(say("split"), "block-split", () => makeStep(store, splitOf(store.state, facts)), say("the-point-is-two-one"));
 	const match = button(say("match-it"), "block-match", () => measures()?.match(), say("match-the-point-in-the"));
 	const accept = button(say("accept"), "block-accept", () => measures()?.accept(), say("the-point-is-measured-enter"));
 	const leave = button(say("cancel"), "block-leave", () => measures()?.leave(), say("give-what-is-measured-up"));
@@ -3432,8 +3490,8 @@ function mountEditBar(store, facts, measures) {
 		whole,
 		restore,
 		remove,
-		join,
-		apart,
+		joining,
+		parting,
 		measure,
 		add,
 		match,
@@ -3476,8 +3534,8 @@ function mountEditBar(store, facts, measures) {
 		const { taking = 0 } = state.shown?.view.points ?? {};
 		measure.disabled = chosen?.kind !== "given" && (chosen?.kind !== "point" && chosen?.kind !== "observation" || chosen.point >= taking);
 		add.hidden = drafting || !inImages;
-		join.hidden = drafting || joinedOf(state, facts) === null;
-		apart.hidden = drafting || !inImages || splitOf(state, facts) === null;
+		joining.hidden = drafting || toJoin(state, facts) === null;
+		parting.hidden = drafting || !inImages || splitOf(state, facts) === null;
 		match.hidden = !inImages || (measure.disabled || given) && !drafting;
 		accept.hidden = !drafting;
 		accept.disabled = state.draft === null || stepOfDraft(state.draft, state.shown?.view.images.map(({ name }) => name) ?? [], state.history.done, addedIn(state)) === null;
@@ -4193,6 +4251,11 @@ var FilmFiles = class {
 };
 // www/block/files/tables.ts
 var OF_TIE_POINTS = ["confidence", "rmse_px"];
+var OF_RESULT_IMAGES = [
+	"image",
+	"name",
+	"camera"
+];
 var OF_FIDUCIALS = [
 	"col",
 	"row",
@@ -4201,7 +4264,8 @@ var OF_FIDUCIALS = [
 ];
 var OF_IMAGES = /^(?:image|img|photo|picture|frame|bild|foto)/iu;
 var OF_HEIGHTS = /^(?:z|h|up|height|alt|elev|hoehe|höhe)/iu;
-var COORDINATE = /^[+-]?\d+\.\d/u;
+var OF_PLACES = /^(?:[xyz][/_ ])?(?:gps)?(?:lon|lng|lat|alt|elev|east|north|rechts|hoch|länge|laenge|breite|höhe|hoehe|height|z\b)/iu;
+var COORDINATE = /^[+-]?\d+[.,]\d/u;
 var LEAST_NUMBERS = 3;
 function linesOf$1(text) {
 	return text.split(/\r?\n/u).filter((line) => line.trim() !== "" && !line.startsWith("#"));
@@ -4215,19 +4279,28 @@ function hasNumbers(text) {
 }
 function hasFiducials(text) {
 	const columns = columnsOf$1(text);
-	return OF_FIDUCIALS.every((column) => columns.includes(column));
+	if (OF_FIDUCIALS.every((column) => columns.includes(column))) return true;
+	try {
+		return parse_fiducials(text).length > 0;
+	} catch {
+		return false;
+	}
 }
 function kindOfTable(text, images) {
 	if (hasFiducials(text)) return { kind: "fiducials" };
-	if (hasNumbers(text) && !/[,;\t]/u.test(text)) return {
-		kind: "neither",
-		why: say("its-values-stand-between-spaces")
-	};
 	const stems = new Set([...images].map((name) => name.replace(/\.[^.]*$/u, "").toLowerCase()));
 	const isImage = (name) => images.has(name) || IMAGE_FILE.test(name) || stems.has(name.toLowerCase());
 	const areImages = (names) => names.length > 0 && names.every(isImage);
 	const marks = measurementsOf(text);
-	if ("rows" in marks && areImages(marks.rows.map(({ image }) => image))) return { kind: "marks" };
+	const positions = positionsOf(text);
+	const columns = columnsOf$1(text);
+	if (OF_RESULT_IMAGES.every((column) => columns.includes(column))) return {
+		kind: "neither",
+		why: say("its-rows-are-images")
+	};
+	const havePlaces = hasPlaces(columns, marks);
+	if (!havePlaces && "rows" in marks && areImages(marks.rows.map(({ image }) => image))) return { kind: "marks" };
+	if ("rows" in positions && areImages(positions.rows.map(({ image }) => image))) return { kind: "positions" };
 	try {
 		const names = parse_ground_control_points(text).map(({ name }) => name);
 		if (names.length === 0) return {
@@ -4236,17 +4309,25 @@ function kindOfTable(text, images) {
 		};
 		if (areImages(names)) return {
 			kind: "neither",
-			why: say("its-rows-are-images")
+			why: "why" in positions ? positions.why : say("its-rows-are-images")
 		};
-		if (OF_TIE_POINTS.every((column) => columnsOf$1(text).includes(column))) return {
+		if (OF_TIE_POINTS.every((column) => columns.includes(column))) return {
 			kind: "neither",
 			why: say("its-rows-are-tie-points")
 		};
 		return { kind: "control" };
 	} catch (error) {
+		if (hasNumbers(text) && !/[,;\t]/u.test(text)) return {
+			kind: "neither",
+			why: say("its-values-stand-between-spaces")
+		};
+		if (havePlaces && columns.some((column) => OF_IMAGES.test(column))) return {
+			kind: "neither",
+			why: whyNoPositions(positions)
+		};
 		return {
 			kind: "neither",
-			why: isOfImages(text, marks) ? whyNoMarks(marks) : messageOf(error)
+			why: isOfImages(columns, marks) ? whyNoMarks(marks) : messageOf(error)
 		};
 	}
 }
@@ -4257,8 +4338,21 @@ function measurementsOf(text) {
 		return { why: messageOf(error) };
 	}
 }
-function isOfImages(text, marks) {
-	const columns = columnsOf$1(text);
+function positionsOf(text) {
+	try {
+		return { rows: parse_image_positions(text).rows };
+	} catch (error) {
+		return { why: messageOf(error) };
+	}
+}
+function hasPlaces(columns, marks) {
+	if (columns.every((column) => !Number.isFinite(Number(column.replace(",", "."))) || column === "") && columns.some((column) => OF_PLACES.test(column))) return true;
+	return "rows" in marks && marks.rows.length > 0 && marks.rows.every(({ point }) => COORDINATE.test(point));
+}
+function whyNoPositions(positions) {
+	return "why" in positions ? positions.why : say("its-rows-name-no-images", { name: positions.rows[0]?.image ?? "" });
+}
+function isOfImages(columns, marks) {
 	if (columns.some((column) => OF_IMAGES.test(column))) return true;
 	return "rows" in marks && marks.rows.length > 0 && marks.rows.every(({ point }) => !COORDINATE.test(point)) && !columns.some((column) => OF_HEIGHTS.test(column));
 }
@@ -4275,7 +4369,8 @@ var FOCAL_LENGTH = "focal_mm";
 var TEXTS = {
 	cameras: say("cameras"),
 	control: say("ground-control-points"),
-	marks: say("image-measurements")
+	marks: say("image-measurements"),
+	positions: say("image-positions")
 };
 var NEEDS_MORE = say("a-block-needs-two-images");
 var NOTHING_LOST = {
@@ -4342,7 +4437,7 @@ var BlockFiles = class {
 		if (project !== void 0) await this.openProject(project.file);
 		if (geoid !== void 0) this.takeGeoid(geoid.file);
 		const notCameras = cameras === void 0 ? "" : await this.takeCameras(cameras.file, photos);
-		const tables = await this.takeTables(alone.map(({ file }) => file).filter((file) => TABLE.test(file.name) && !film.files.has(file)));
+		const tables = await this.takeTables(alone.map(({ file }) => file).filter((file) => TABLE.test(file.name) && !film.files.has(file)), photos);
 		const aside = found.length - photos.length - film.files.size - tables.count - [
 			project,
 			cameras,
@@ -4521,8 +4616,8 @@ var BlockFiles = class {
 		const { placing, files } = this.store.state;
 		return marksOfNone(placing.film, files).filter((name) => names.includes(name)).map((name) => say("marks-of-no-image", { name })).join(" ");
 	}
-	async takeTables(files) {
-		const names = new Set(this.store.state.files.map(({ name }) => name));
+	async takeTables(files, photos) {
+		const names = new Set([...this.store.state.files, ...photos.map(({ file }) => file)].map(({ name }) => name));
 		const aside = [];
 		let count = 0;
 		for (const file of files) {
@@ -4568,7 +4663,7 @@ var BlockFiles = class {
 			texts: TEXTS[given],
 			name: file.name
 		});
-		if (problem === void 0) this.tell("info", given !== "cameras" && waitsForMarks(this.store.state) ? `${said} ${controlText(this.store.state)}` : said);
+		if (problem === void 0) this.tell("info", (given === "control" || given === "marks") && waitsForMarks(this.store.state) ? `${said} ${controlText(this.store.state)}` : said);
 		else if (problem === PARTNER_MISSING[given]) this.tell("info", say("from-2", {
 			texts: TEXTS[given],
 			name: file.name,
@@ -4789,8 +4884,8 @@ function images$1(count) {
 }
 // www/block/state/kept.ts
 function isBlank({ catalogue, files, shown, options, flight, placing }) {
-	const { settings, gps, cameras, control, marks, masks, geoid } = options;
-	const noFile = cameras === null && control === null && marks === null && masks.length === 0 && geoid === null;
+	const { settings, gps, cameras, control, marks, positions, masks, geoid } = options;
+	const noFile = cameras === null && control === null && marks === null && positions === null && masks.length === 0 && geoid === null;
 	const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === "use" && noFile && placing.options === catalogue?.placing;
 	return catalogue === null || files.length === 0 && shown === null && placing.orthophoto === null && placing.film.camera === null && placing.film.marks.length === 0 && untouched;
 }
@@ -4850,10 +4945,10 @@ var besideBlock = remember((view, control, crs, geoid_m) => {
 		byHand: false
 	}]);
 });
-var measured = remember((points, file, history) => {
+var measured = remember((points, view, file, history) => {
 	if (points.length === 0) return NONE_GIVEN;
 	const images = new Map();
-	for (const { point } of allMarks(file, history)) images.set(point, (images.get(point) ?? 0) + 1);
+	for (const { point } of allMarks(file, history, view.images)) images.set(point, (images.get(point) ?? 0) + 1);
 	return points.map((point) => ({
 		...point,
 		images: images.get(point.name) ?? 0
@@ -4895,7 +4990,7 @@ function givenBeside(view, state) {
 function ofFile(view, { options, marks }) {
 	if (options.control === null) return NONE_GIVEN;
 	const { crs = null, geoid_m = null } = options.settings?.placing ?? {};
-	return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? view.geoidM ?? 0), options.marks, marks);
+	return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? view.geoidM ?? 0), view, options.marks, marks);
 }
 // www/block/files/edit.ts
 var OF_ONE = 60;
@@ -5520,7 +5615,8 @@ function givenFrom(value, catalogue) {
 			gps: options.gps === "ignore" ? "ignore" : "use",
 			cameras: text("cameras"),
 			control: text("control"),
-			marks: text("marks")
+			marks: text("marks"),
+			positions: options.positions === void 0 ? null : text("positions")
 		},
 		flight: orNull(kept.flight, (flight) => fitted(flight, catalogue.flight, "flight")),
 		truth: orNull(kept.truth, (name) => likeOf(name, "", "truth")),
@@ -5654,6 +5750,16 @@ function addressOfPair({ images }, pair) {
 	for (const image of pair) named.append("image", images[image]?.name ?? "");
 	return named.toString();
 }
+function isOtherPage(address, other) {
+	const [a, b] = [address, other].map((one) => {
+		const named = new URLSearchParams(one.replace(/^#/u, ""));
+		const view = named.get("view") ?? "";
+		return [view, ...view === PAIR ? named.getAll("image") : []];
+	});
+	const views = [a?.[0], b?.[0]];
+	if (views.includes("") && views.includes(PAIR)) return false;
+	return String(a) !== String(b);
+}
 function askedPair(address, view) {
 	const named = new URLSearchParams(address.replace(/^#/u, ""));
 	const [a = -1, b = -1] = named.getAll("image").map((name) => view.images.findIndex((image) => image.name === name));
@@ -5699,17 +5805,34 @@ function choiceOf$2(images, points) {
 }
 // www/block/panel/address.ts
 function mountAddress(store, modes, pair) {
-	let waiting = window.location.hash;
+	let waiting = window.location.hash === "" ? null : window.location.hash;
 	let isViewed = false;
-	const show = (images) => {
+	let isFollowing = false;
+	let isOpening = false;
+	let hadBlock = false;
+	const show = async (images) => {
 		const isThere = isShown(store, pair) || pair.names().every((name) => name === null);
-		if (String(store.state.opened) === String(images) && isThere) modes.dispatch("pair");
-		else pair.open(images);
+		if (String(store.state.opened) === String(images) && isThere) {
+			modes.dispatch("pair");
+			return;
+		}
+		isOpening = true;
+		try {
+			await pair.open(images);
+		} finally {
+			isOpening = false;
+			tell(false);
+		}
 	};
-	const follow = () => {
+	const follow = (address) => {
 		const { shown, history } = store.state;
-		if (shown === null || shown.view.partial || waiting === "") return;
-		const wanted = asked(waiting, shown.view);
+		if (address === "") {
+			waiting = null;
+			if (shown !== null) modes.dispatch("pair");
+			return;
+		}
+		if (shown === null || shown.view.partial) return;
+		const wanted = asked(address, shown.view);
 		if (wanted !== null && !isViewed) {
 			isViewed = true;
 			modes.dispatch("block");
@@ -5719,35 +5842,48 @@ function mountAddress(store, modes, pair) {
 			});
 		}
 		if (!isSameList(editsInForce(history), shown.edits)) return;
-		const images = askedPair(waiting, shown.view);
-		waiting = "";
+		const images = askedPair(address, shown.view);
+		waiting = null;
 		if (images !== null) show(images);
 		if (wanted !== null) store.dispatch({
 			type: "choose",
 			choice: wanted.choice
 		});
 	};
+	const tell = (turns = true) => {
+		if (isFollowing) return;
+		const address = waiting;
+		if (address !== null) {
+			isFollowing = true;
+			follow(address);
+			isFollowing = false;
+		}
+		if (waiting !== null || isOpening) return;
+		const hasBlock = store.state.shown !== null;
+		write(modes.state.mode === "block" ? addressOf(store.state) : addressNow(store, pair), turns && address === null && hadBlock && hasBlock);
+		hadBlock = hasBlock;
+	};
 	window.addEventListener("hashchange", () => {
 		waiting = window.location.hash;
 		isViewed = false;
-		follow();
+		tell();
 	});
-	const tell = () => {
-		follow();
-		if (waiting !== "") return;
-		const address = modes.state.mode === "block" ? addressOf(store.state) : addressNow(store, pair);
-		if (window.location.hash === (address === "" ? "" : `#${address}`)) return;
-		window.history.replaceState(window.history.state, "", address === "" ? window.location.pathname + window.location.search : `#${address}`);
-	};
 	store.watch([
 		"shown",
 		"onStage",
 		"selection",
 		"history",
 		"opened"
-	], tell);
-	modes.watch(["mode"], tell);
-	pair.watch(tell);
+	], () => tell());
+	modes.watch(["mode"], () => tell());
+	pair.watch(() => tell());
+}
+function write(address, turns) {
+	const { hash, pathname, search } = window.location;
+	if (hash === (address === "" ? "" : `#${address}`)) return;
+	const to = address === "" ? pathname + search : `#${address}`;
+	if (turns && isOtherPage(hash, address)) window.history.pushState(null, "", to);
+	else window.history.replaceState(window.history.state, "", to);
 }
 function addressNow(store, pair) {
 	const { shown, opened } = store.state;
@@ -7711,7 +7847,7 @@ var Opening = class {
 		if (shown === null) return;
 		const { view, found } = shown;
 		this.afterEdit(found, view);
-		if (onStage !== "images") return;
+		if (onStage !== "images" || !this.seen.isLaid) return;
 		const chosen = this.seen.chosen();
 		if (chosen === null) {
 			if (selection.chosen === null) this.openedAt = null;
@@ -7978,6 +8114,9 @@ var Seen = class {
 		this.facts = facts;
 		this.size = size;
 	}
+	get isLaid() {
+		return this.size().isLaid;
+	}
 	view() {
 		return this.store.state.shown?.view ?? null;
 	}
@@ -8107,7 +8246,10 @@ var ImagesView = class {
 			this.changed();
 		});
 		new ResizeObserver(() => this.lay()).observe(host.parentElement ?? host);
-		new ResizeObserver(() => this.tell()).observe(host);
+		new ResizeObserver(() => {
+			this.opening.follow();
+			this.tell();
+		}).observe(host);
 	}
 	watch(changed) {
 		this.listeners.push(changed);
@@ -8360,7 +8502,7 @@ function frameOf(image, view, store, addImages) {
 			element.classList.toggle("is-active", panes.active === image);
 			const figure = view.measuring.marks().has(image) ? say("measured") : figuresOf$2(view.seen.chosen()?.detail ?? null, image);
 			setText$1(figures, figure);
-			head.title = figure === "" ? own : `${own}: ${figure}`;
+			head.title = figure === "" ? own : `${asFigure(own)}: ${figure}`;
 			const why = pane.file === null ? say("the-file-of-this-image") : view.hasFailed(pane) ? say("this-image-cannot-be-decoded") : "";
 			if (why === said) return;
 			said = why;
@@ -11877,7 +12019,7 @@ function chosenText({ state }) {
 		added,
 		least_links: 4
 	});
-	if (placing.chosen.link === null || links === null || placing.chosen.link >= links.count) return `${placed.file.name}: ${verdictText(placed)}`;
+	if (placing.chosen.link === null || links === null || placing.chosen.link >= links.count) return `${asFigure(placed.file.name)}: ${verdictText(placed)}`;
 	const link = linkOf(links, placing.chosen.link);
 	const residual = link.residual_px;
 	const off = residual === null ? say("the-image-does-not-see") : say("residual-px-px", {
@@ -12215,13 +12357,13 @@ var Carried = class {
 	}
 	table(file) {
 		if (file === null) return null;
+		const scans = new Set(this.frames.map(({ scan }) => scan));
 		let rows;
 		try {
-			rows = parse_image_measurements(file.text);
+			rows = parse_image_measurements(file.text, [...scans]);
 		} catch {
 			return file;
 		}
-		const scans = new Set(this.frames.map(({ scan }) => scan));
 		if (!rows.some(({ image }) => scans.has(image))) return file;
 		this.count(rows);
 		return {
@@ -13333,6 +13475,164 @@ async function saveValues(plot, saved) {
 	save(new Blob([csvOf([column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: "text/csv" }), name);
 	saved(name);
 }
+// www/block/panel/placing-answer.ts
+function placingRuns({ done, total, text }) {
+	return {
+		kind: "busy",
+		verdict: null,
+		text: `${text}${total > 1 ? say("of", {
+			total: Math.min(total, done + 1),
+			total_2: total
+		}) : ""} …`
+	};
+}
+function placingAnswer(state, actions) {
+	const { placing, files } = state;
+	const { orthophoto } = placing;
+	const idle = (text, next, more = "") => ({
+		kind: "idle",
+		verdict: null,
+		text,
+		more,
+		next
+	});
+	if (orthophoto === null) return idle(say("open-an-orthophoto-photographs-are"), null);
+	const tried = placedFiles(state);
+	if (tried.length > 0) return answered$1(state, tried, actions);
+	const what = orthophotoText(orthophoto);
+	if (files.length === 0) return idle(what, {
+		text: say("open-photos"),
+		act: actions.open
+	}, heightsText(state));
+	const text = say("can-be-placed", {
+		files: images(files.length),
+		what
+	});
+	const each = {
+		text: say(files.length < 2 ? "place-on-the-orthophoto" : "place-each-image"),
+		act: actions.place
+	};
+	if (files.length < 2) return idle(text, each, heightsText(state));
+	const block = {
+		text: say("place-them-as-a-block"),
+		act: actions.asBlock
+	};
+	const [next, other] = purposeOf(state) === "block" ? [block, each] : [each, block];
+	return {
+		...idle(text, next, heightsText(state)),
+		others: [other]
+	};
+}
+var MOSTLY = .95;
+function heightsText({ placing: { heights, orthophoto } }) {
+	const unit = unitText(unitOfOrthophoto(orthophoto));
+	if (heights.kind === "level") return say("its-ground-is-taken-as", {
+		height: heights.height,
+		unit
+	});
+	const [from, to] = orthophoto?.info.heights ?? [];
+	const share = orthophoto?.info.heights_share ?? 1;
+	const part = share < MOSTLY ? say("they-lie-under-of-the", { share: Math.round(100 * share) }) : "";
+	const from_what = orthophoto?.info.heights_from ?? null;
+	return say("heights-of-to", {
+		name: heights.model.name,
+		from,
+		to,
+		unit,
+		from_what,
+		part
+	});
+}
+function answered$1(state, tried, actions) {
+	const of = (kind) => tried.filter(({ result }) => result?.verdict.kind === kind).length;
+	const [placed, weak] = [of("placed"), of("weak")];
+	const without = tried.length - placed - weak;
+	const waiting = unplacedFiles(state).length;
+	const stale = tried.filter(({ isStale }) => isStale).length;
+	const [first] = tried;
+	const text = tried.length === 1 && waiting <= stale && first !== void 0 ? verdictText(first) : say("of-placed", {
+		placed: placed + weak,
+		tried: images(tried.length + Math.max(0, waiting - stale)),
+		what: weak > 0 ? say("with-doubt", {
+			weak,
+			of: placed > 0 ? "some" : weak > 1 ? "all" : "one"
+		}) : "",
+		what_2: without > 0 ? say("not-placed", { without }) : ""
+	});
+	const more = [
+		tried.length > 1 ? reasonOf(tried) : "",
+		stale > 0 ? say("settings-heights-or-cameras-have", { what: stale === tried.length ? say("then") : say("placed", {
+			stale: images(stale),
+			stale_2: stale
+		}) }) : "",
+		waiting > stale ? say("not-tried-yet-press-place", { waiting: images(waiting - stale) }) : "",
+		state.placing.heights.kind === "level" ? heightsText(state) : ""
+	];
+	const isSound = without === 0 && weak === 0;
+	const needsHeights = !isSound && state.placing.heights.kind === "level";
+	const save = {
+		text: say("save-positions-csv"),
+		act: actions.save
+	};
+	const why = needsHeights ? {
+		text: say("open-heights"),
+		act: actions.openHeights
+	} : {
+		text: say("show-why"),
+		act: actions.why
+	};
+	const next = waiting > 0 ? {
+		text: say("place-them"),
+		act: actions.place
+	} : isSound ? save : why;
+	return {
+		kind: isSound ? "done" : placed + weak > 0 ? "partial" : "problem",
+		verdict: isSound ? "oriented" : placed + weak > 0 ? "weak" : "not_oriented",
+		text,
+		more: more.filter((part) => part !== "").join(" "),
+		figures: figuresOf$1(tried, unitOfOrthophoto(state.placing.orthophoto)),
+		next
+	};
+}
+function reasonOf(tried) {
+	const first = tried.find(({ result }) => result?.verdict.kind !== "placed");
+	return first === void 0 ? "" : say("reason-of", {
+		name: first.file.name,
+		reason: verdictText(first)
+	});
+}
+function figuresOf$1(tried, unit) {
+	const placements = tried.flatMap(({ result }) => result?.placement ?? []);
+	const links = placements.reduce((sum, placement) => sum + usedSo(placement.links, "used"), 0);
+	const checks = placements.flatMap(({ checks: own }) => own ?? []);
+	const number = checks.reduce((sum, own) => sum + own.number, 0);
+	const widths = tried.flatMap(({ result }) => result?.verdict.kind === "placed" ? [result.verdict.half_width_m] : []);
+	const rmse = Math.sqrt(checks.reduce((sum, own) => sum + own.number * own.rmse_m ** 2, 0) / number);
+	return [
+		{
+			value: say("of-2", {
+				placements: placements.length,
+				tried: tried.length
+			}),
+			label: say("photos-placed")
+		},
+		...placements.length > 0 ? [{
+			value: count(links),
+			label: say("links-3")
+		}] : [],
+		...widths.length > 0 ? [{
+			value: say("within", { length: gsdText$1(Number(Math.max(...widths).toPrecision(2)), unit) }),
+			label: say("projection-centres-95")
+		}] : [],
+		...number > 0 ? [{
+			value: gsdText$1(Number(rmse.toFixed(3)), unit),
+			label: say("rmse-of-check-links-on")
+		}] : []
+	];
+}
+function images(number) {
+	return say("so-many-images", { images: number });
+}
 // www/block/panel/results.ts
 var LISTED = 50;
 function mountResults(host, store, takeOff) {
@@ -13346,8 +13646,9 @@ function mountResults(host, store, takeOff) {
 		"placing"
 	], ([shown]) => {
 		body.classList.toggle("is-stale", isStale(store.state));
-		if (shown === null) fill(body, h("p", { class: "note" }, say("no-block-yet-drop-images")));
-		else fill(body, ...sectionsOf(shown, off));
+		const placed = placedOf(store.state);
+		const none = placed === null ? h("p", { class: "note" }, say("no-block-yet-drop-images")) : null;
+		fill(body, ...shown === null ? [none] : sectionsOf(shown, off), placed);
 	});
 	store.watch([
 		"running",
@@ -13382,6 +13683,15 @@ function onGround({ view: { orthophoto }, ground }, off) {
 	if (orthophoto === null) return null;
 	return section(say("orthophoto"), "block-on-orthophoto", h("p", {}, orthophoto.text), ground === null ? null : h("p", { class: "buttons" }, off));
 }
+function placedOf(state) {
+	const tried = placedFiles(state);
+	if (tried.length === 0) return null;
+	const list = tried.map((one) => ({
+		name: one.file.name,
+		reason: `${verdictText(one)}${one.isStale ? say("earlier-settings") : ""}`
+	}));
+	return section(say("placed-images"), "block-placed-images", reasons(list), h("p", {}, heightsText(state)));
+}
 function partialFacts(view) {
 	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected");
 	return [
@@ -13410,7 +13720,7 @@ function partialFacts(view) {
 }
 function strays(title, testid, names, why) {
 	if (names.length === 0) return null;
-	return section(title, testid, h("p", {}, `${names.slice(0, LISTED).join(", ")}${names.length > LISTED ? " …" : ""}: ${why}.`));
+	return section(title, testid, h("p", {}, `${asFigure(`${names.slice(0, LISTED).join(", ")}${names.length > LISTED ? " …" : ""}`)}: ${why}.`));
 }
 function listOf(title, testid, texts) {
 	return texts.length === 0 ? null : section(title, testid, h("ul", {}, ...texts.map((text) => h("li", {}, text))));
@@ -13672,7 +13982,7 @@ function waiting(files) {
 var CAMERAS = say("from-exif-a-json-file", { example: "{\"cameras\": [{\"images\": \"DJI_*.JPG\", \"focal_px\": 3666.7}]}" });
 var CONTROL = say("none-two-files-georeference-the");
 function besides(store, files) {
-	return h("fieldset", { class: "group" }, h("legend", {}, say("files")), textFile(store, files, "cameras", say("cameras"), CAMERAS, ".json,application/json"), textFile(store, files, "control", say("ground-control-points"), CONTROL, ".txt,.csv,text/*"), textFile(store, files, "marks", say("image-measurements"), "", ".txt,.csv,text/*"), masks(store, files), geoid(store, files));
+	return h("fieldset", { class: "group" }, h("legend", {}, say("files")), textFile(store, files, "cameras", say("cameras"), CAMERAS, ".json,application/json"), textFile(store, files, "control", say("ground-control-points"), CONTROL, ".txt,.csv,text/*"), textFile(store, files, "marks", say("image-measurements"), "", ".txt,.csv,text/*"), textFile(store, files, "positions", say("image-positions"), say("none-positions-of-images"), ".txt,.csv,text/*"), masks(store, files), geoid(store, files));
 }
 var MASKS = say("none-images-of-the-same");
 function problemOf(store, given) {
@@ -13897,153 +14207,6 @@ function invited(store, { sample, placedSample, open }) {
 		fill(list, names.length === 0 ? "" : onOrthophoto === 0 ? there : `${there} ${say("are-placed-on-the-orthophoto", { placed: onOrthophoto })}`);
 	});
 	return welcome;
-}
-// www/block/panel/placing-answer.ts
-function placingRuns({ done, total, text }) {
-	return {
-		kind: "busy",
-		verdict: null,
-		text: `${text}${total > 1 ? say("of", {
-			total: Math.min(total, done + 1),
-			total_2: total
-		}) : ""} …`
-	};
-}
-function placingAnswer(state, actions) {
-	const { placing, files } = state;
-	const { orthophoto } = placing;
-	const idle = (text, next, more = "") => ({
-		kind: "idle",
-		verdict: null,
-		text,
-		more,
-		next
-	});
-	if (orthophoto === null) return idle(say("open-an-orthophoto-photographs-are"), null);
-	const tried = placedFiles(state);
-	if (tried.length > 0) return answered$1(state, tried, actions);
-	const what = orthophotoText(orthophoto);
-	if (files.length === 0) return idle(what, {
-		text: say("open-photos"),
-		act: actions.open
-	}, heightsText(state));
-	const text = say("can-be-placed", {
-		files: images(files.length),
-		what
-	});
-	const each = {
-		text: say(files.length < 2 ? "place-on-the-orthophoto" : "place-each-image"),
-		act: actions.place
-	};
-	if (files.length < 2) return idle(text, each, heightsText(state));
-	const block = {
-		text: say("place-them-as-a-block"),
-		act: actions.asBlock
-	};
-	const [next, other] = purposeOf(state) === "block" ? [block, each] : [each, block];
-	return {
-		...idle(text, next, heightsText(state)),
-		others: [other]
-	};
-}
-var MOSTLY = .95;
-function heightsText({ placing: { heights, orthophoto } }) {
-	const unit = unitText(unitOfOrthophoto(orthophoto));
-	if (heights.kind === "level") return say("its-ground-is-taken-as", {
-		height: heights.height,
-		unit
-	});
-	const [from, to] = orthophoto?.info.heights ?? [];
-	const share = orthophoto?.info.heights_share ?? 1;
-	const part = share < MOSTLY ? say("they-lie-under-of-the", { share: Math.round(100 * share) }) : "";
-	const from_what = orthophoto?.info.heights_from ?? null;
-	return say("heights-of-to", {
-		name: heights.model.name,
-		from,
-		to,
-		unit,
-		from_what,
-		part
-	});
-}
-function answered$1(state, tried, actions) {
-	const of = (kind) => tried.filter(({ result }) => result?.verdict.kind === kind).length;
-	const [placed, weak] = [of("placed"), of("weak")];
-	const without = tried.length - placed - weak;
-	const waiting = unplacedFiles(state).length;
-	const stale = tried.filter(({ isStale }) => isStale).length;
-	const [first] = tried;
-	const text = tried.length === 1 && waiting <= stale && first !== void 0 ? verdictText(first) : say("of-placed", {
-		placed,
-		tried: images(tried.length + Math.max(0, waiting - stale)),
-		what: weak > 0 ? say("with-doubt", { weak }) : "",
-		what_2: without > 0 ? say("not-placed", { without }) : ""
-	});
-	const more = [
-		stale > 0 ? say("settings-heights-or-cameras-have", { what: stale === tried.length ? say("then") : say("placed", {
-			stale: images(stale),
-			stale_2: stale
-		}) }) : "",
-		waiting > stale ? say("not-tried-yet-press-place", { waiting: images(waiting - stale) }) : "",
-		state.placing.heights.kind === "level" ? heightsText(state) : ""
-	];
-	const isSound = without === 0 && weak === 0;
-	const needsHeights = !isSound && state.placing.heights.kind === "level";
-	const save = {
-		text: say("save-positions-csv"),
-		act: actions.save
-	};
-	const why = needsHeights ? {
-		text: say("open-heights"),
-		act: actions.openHeights
-	} : {
-		text: say("show-why"),
-		act: actions.why
-	};
-	const next = waiting > 0 ? {
-		text: say("place-them"),
-		act: actions.place
-	} : isSound ? save : why;
-	return {
-		kind: isSound ? "done" : placed + weak > 0 ? "partial" : "problem",
-		verdict: isSound ? "oriented" : placed + weak > 0 ? "weak" : "not_oriented",
-		text,
-		more: more.filter((part) => part !== "").join(" "),
-		figures: figuresOf$1(tried, unitOfOrthophoto(state.placing.orthophoto)),
-		next
-	};
-}
-function figuresOf$1(tried, unit) {
-	const placements = tried.flatMap(({ result }) => result?.placement ?? []);
-	const links = placements.reduce((sum, placement) => sum + usedSo(placement.links, "used"), 0);
-	const checks = placements.flatMap(({ checks: own }) => own ?? []);
-	const number = checks.reduce((sum, own) => sum + own.number, 0);
-	const widths = tried.flatMap(({ result }) => result?.verdict.kind === "placed" ? [result.verdict.half_width_m] : []);
-	const rmse = Math.sqrt(checks.reduce((sum, own) => sum + own.number * own.rmse_m ** 2, 0) / number);
-	return [
-		{
-			value: say("of-2", {
-				placements: placements.length,
-				tried: tried.length
-			}),
-			label: say("photos-placed")
-		},
-		...placements.length > 0 ? [{
-			value: count(links),
-			label: say("links-3")
-		}] : [],
-		...widths.length > 0 ? [{
-			value: say("within", { length: gsdText$1(Number(Math.max(...widths).toPrecision(2)), unit) }),
-			label: say("projection-centres-95")
-		}] : [],
-		...number > 0 ? [{
-			value: gsdText$1(Number(rmse.toFixed(3)), unit),
-			label: say("rmse-of-check-links-on")
-		}] : []
-	];
-}
-function images(number) {
-	return say("so-many-images", { images: number });
 }
 // www/block/state/doubt.ts
 function doubtOf(state) {
@@ -14357,11 +14520,11 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 			type: "point",
 			choice
 		}),
-		open: (images) => openPair(store, images)
+		open: (images) => void openPair(store, images)
 	};
 	const beside = {
 		...pair,
-		open: looking.open
+		open: (images) => openPair(store, images)
 	};
 	const actions = h("div", {
 		class: "actions",

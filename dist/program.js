@@ -72,10 +72,7 @@ var BlockScene = class {
 		return wasm.blockscene_photos(this.__wbg_ptr) >>> 0;
 	}
 	surface_at(index, positions) {
-		const val2 = +index;
-		const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.blockscene_surface_at(this.__wbg_ptr, val2, ptr0, len0);
+		const ret = wasm.blockscene_surface_at(this.__wbg_ptr, index, positions);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -141,9 +138,7 @@ var EpipolarPair = class EpipolarPair {
 		return v1;
 	}
 	static open(project, names) {
-		var ptr0 = isLikeNone(names) ? 0 : passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-		var len0 = WASM_VECTOR_LEN;
-		const ret = wasm.epipolarpair_open(project, ptr0, len0);
+		const ret = wasm.epipolarpair_open(project, isLikeNone(names) ? 0 : addToExternrefTable0(names));
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return EpipolarPair.__wrap(ret[0]);
 	}
@@ -390,9 +385,7 @@ var OrthophotoReference = class OrthophotoReference {
 		wasm.__wbg_orthophotoreference_free(ptr, 0);
 	}
 	adjust(name, file, given) {
-		const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, file, given);
+		const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, name, file, given);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -414,31 +407,25 @@ var OrthophotoReference = class OrthophotoReference {
 		return takeFromExternrefTable0(ret[0]);
 	}
 	ground_positions(placement, positions) {
-		const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.orthophotoreference_ground_positions(this.__wbg_ptr, placement, ptr0, len0);
+		const ret = wasm.orthophotoreference_ground_positions(this.__wbg_ptr, placement, positions);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-		var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-		return v2;
+		return v1;
 	}
 	heights_at(places) {
-		const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.orthophotoreference_heights_at(this.__wbg_ptr, ptr0, len0);
+		const ret = wasm.orthophotoreference_heights_at(this.__wbg_ptr, places);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-		var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-		return v2;
+		return v1;
 	}
 	image_positions(placement, places) {
-		const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.orthophotoreference_image_positions(this.__wbg_ptr, placement, ptr0, len0);
+		const ret = wasm.orthophotoreference_image_positions(this.__wbg_ptr, placement, places);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-		var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-		return v2;
+		return v1;
 	}
 	info() {
 		return wasm.orthophotoreference_info(this.__wbg_ptr);
@@ -456,18 +443,7 @@ var OrthophotoReference = class OrthophotoReference {
 		return v1;
 	}
 	place(name, file, cameras, film) {
-		let ptr0, len0, ptr1, len1;
-		try {
-			ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			len1 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-			throw e;
-		}
-		const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, file, ptr1, len1, film);
+		const ret = wasm.orthophotoreference_place(this.__wbg_ptr, name, file, isLikeNone(cameras) ? 0 : addToExternrefTable0(cameras), film);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -512,13 +488,11 @@ var Photo = class Photo {
 		return Photo.__wrap(ret[0]);
 	}
 	describe(point_list, window, strategy) {
-		const ptr0 = passArrayF64ToWasm0(point_list, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.photo_describe(this.__wbg_ptr, ptr0, len0, window, strategy);
+		const ret = wasm.photo_describe(this.__wbg_ptr, point_list, window, strategy);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-		var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-		return v2;
+		return v1;
 	}
 	describe_points(settings, mask) {
 		const ret = wasm.photo_describe_points(this.__wbg_ptr, settings, isLikeNone(mask) ? 0 : addToExternrefTable0(mask));
@@ -662,10 +636,7 @@ var Run = class {
 		return takeFromExternrefTable0(ret[0]);
 	}
 	prepare(id, digests) {
-		const val2 = +id;
-		const ptr0 = passArrayJsValueToWasm0(digests, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.run_prepare(this.__wbg_ptr, val2, ptr0, len0);
+		const ret = wasm.run_prepare(this.__wbg_ptr, id, digests);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -730,42 +701,11 @@ function camera_of_exif(exif) {
 	return takeFromExternrefTable0(ret[0]);
 }
 function check_cameras(text, names) {
-	let ptr0, len0, ptr1, len1;
-	try {
-		ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-		len0 = WASM_VECTOR_LEN;
-		ptr1 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-		len1 = WASM_VECTOR_LEN;
-	} catch (e) {
-		if (ptr1) {
-			wasm.__externref_drop_slice(ptr1, len1);
-			wasm.__wbindgen_free(ptr1, len1 * 4, 4);
-		}
-		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-		throw e;
-	}
-	const ret = wasm.check_cameras(ptr0, len0, ptr1, len1);
+	const ret = wasm.check_cameras(text, names);
 	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 }
-function check_control(points, marks, names, placing) {
-	let ptr0, len0, ptr1, len1, ptr2, len2;
-	try {
-		ptr0 = passStringToWasm0(points, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-		len0 = WASM_VECTOR_LEN;
-		ptr1 = passStringToWasm0(marks, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-		len1 = WASM_VECTOR_LEN;
-		ptr2 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-		len2 = WASM_VECTOR_LEN;
-	} catch (e) {
-		if (ptr2) {
-			wasm.__externref_drop_slice(ptr2, len2);
-			wasm.__wbindgen_free(ptr2, len2 * 4, 4);
-		}
-		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-		throw e;
-	}
-	const ret = wasm.check_control(ptr0, len0, ptr1, len1, ptr2, len2, placing);
+function check_control(points, marks, names, placing, on_orthophoto) {
+	const ret = wasm.check_control(points, marks, names, placing, isLikeNone(on_orthophoto) ? 16777215 : on_orthophoto ? 1 : 0);
 	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 }
 function check_flight(flight) {
@@ -773,9 +713,7 @@ function check_flight(flight) {
 	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 }
 function check_geoid(name, placing) {
-	const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-	const len0 = WASM_VECTOR_LEN;
-	const ret = wasm.check_geoid(ptr0, len0, placing);
+	const ret = wasm.check_geoid(name, placing);
 	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 }
 function constant_offset(dx, dy) {
@@ -787,98 +725,22 @@ function defaults() {
 	return wasm.defaults();
 }
 function draw_match_lines(context, matches, codes, widths, colours, left_view, right_view, most) {
-	const val7 = +most;
-	let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4, ptr5, len5;
-	try {
-		ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
-		len0 = WASM_VECTOR_LEN;
-		ptr1 = passArray8ToWasm0(codes, wasm.__wbindgen_malloc);
-		len1 = WASM_VECTOR_LEN;
-		ptr2 = passArrayF64ToWasm0(widths, wasm.__wbindgen_malloc);
-		len2 = WASM_VECTOR_LEN;
-		ptr3 = passArrayJsValueToWasm0(colours, wasm.__wbindgen_malloc);
-		len3 = WASM_VECTOR_LEN;
-		ptr4 = passArrayF64ToWasm0(left_view, wasm.__wbindgen_malloc);
-		len4 = WASM_VECTOR_LEN;
-		ptr5 = passArrayF64ToWasm0(right_view, wasm.__wbindgen_malloc);
-		len5 = WASM_VECTOR_LEN;
-	} catch (e) {
-		if (ptr5) wasm.__wbindgen_free(ptr5, len5 * 8, 8);
-		if (ptr4) wasm.__wbindgen_free(ptr4, len4 * 8, 8);
-		if (ptr3) {
-			wasm.__externref_drop_slice(ptr3, len3);
-			wasm.__wbindgen_free(ptr3, len3 * 4, 4);
-		}
-		if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 8, 8);
-		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
-		throw e;
-	}
-	const ret = wasm.draw_match_lines(context, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4, ptr5, len5, val7);
+	const ret = wasm.draw_match_lines(context, matches, codes, widths, colours, left_view, right_view, most);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return ret[0] >>> 0;
 }
 function draw_points(context, points, codes, styles, colours, view) {
-	let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4;
-	try {
-		ptr0 = passArrayF64ToWasm0(points, wasm.__wbindgen_malloc);
-		len0 = WASM_VECTOR_LEN;
-		ptr1 = passArray8ToWasm0(codes, wasm.__wbindgen_malloc);
-		len1 = WASM_VECTOR_LEN;
-		ptr2 = passArrayF64ToWasm0(styles, wasm.__wbindgen_malloc);
-		len2 = WASM_VECTOR_LEN;
-		ptr3 = passArrayJsValueToWasm0(colours, wasm.__wbindgen_malloc);
-		len3 = WASM_VECTOR_LEN;
-		ptr4 = passArrayF64ToWasm0(view, wasm.__wbindgen_malloc);
-		len4 = WASM_VECTOR_LEN;
-	} catch (e) {
-		if (ptr4) wasm.__wbindgen_free(ptr4, len4 * 8, 8);
-		if (ptr3) {
-			wasm.__externref_drop_slice(ptr3, len3);
-			wasm.__wbindgen_free(ptr3, len3 * 4, 4);
-		}
-		if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 8, 8);
-		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
-		throw e;
-	}
-	const ret = wasm.draw_points(context, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4);
+	const ret = wasm.draw_points(context, points, codes, styles, colours, view);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return ret[0] >>> 0;
 }
 function draw_vectors(context, vectors, codes, widths, colours, factor, view) {
-	const val6 = +factor;
-	let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4;
-	try {
-		ptr0 = passArrayF64ToWasm0(vectors, wasm.__wbindgen_malloc);
-		len0 = WASM_VECTOR_LEN;
-		ptr1 = passArray8ToWasm0(codes, wasm.__wbindgen_malloc);
-		len1 = WASM_VECTOR_LEN;
-		ptr2 = passArrayF64ToWasm0(widths, wasm.__wbindgen_malloc);
-		len2 = WASM_VECTOR_LEN;
-		ptr3 = passArrayJsValueToWasm0(colours, wasm.__wbindgen_malloc);
-		len3 = WASM_VECTOR_LEN;
-		ptr4 = passArrayF64ToWasm0(view, wasm.__wbindgen_malloc);
-		len4 = WASM_VECTOR_LEN;
-	} catch (e) {
-		if (ptr4) wasm.__wbindgen_free(ptr4, len4 * 8, 8);
-		if (ptr3) {
-			wasm.__externref_drop_slice(ptr3, len3);
-			wasm.__wbindgen_free(ptr3, len3 * 4, 4);
-		}
-		if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 8, 8);
-		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
-		throw e;
-	}
-	const ret = wasm.draw_vectors(context, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, val6, ptr4, len4);
+	const ret = wasm.draw_vectors(context, vectors, codes, widths, colours, factor, view);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return ret[0] >>> 0;
 }
 function film_cameras(pattern, rules, given) {
-	const ptr0 = passStringToWasm0(pattern, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-	const len0 = WASM_VECTOR_LEN;
-	const ret = wasm.film_cameras(ptr0, len0, rules, given);
+	const ret = wasm.film_cameras(pattern, rules, given);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -918,9 +780,7 @@ function flight_presets() {
 	return wasm.flight_presets();
 }
 function geographic_positions(positions) {
-	const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
-	const len0 = WASM_VECTOR_LEN;
-	const ret = wasm.geographic_positions(ptr0, len0);
+	const ret = wasm.geographic_positions(positions);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -949,77 +809,38 @@ function interior$1(camera, photo) {
 	return takeFromExternrefTable0(ret[0]);
 }
 function local_positions(geographic) {
-	const ptr0 = passArrayF64ToWasm0(geographic, wasm.__wbindgen_malloc);
-	const len0 = WASM_VECTOR_LEN;
-	const ret = wasm.local_positions(ptr0, len0);
+	const ret = wasm.local_positions(geographic);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
 function masks_of_images(names, masks) {
-	let ptr0, len0, ptr1, len1;
-	try {
-		ptr0 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-		len0 = WASM_VECTOR_LEN;
-		ptr1 = passArrayJsValueToWasm0(masks, wasm.__wbindgen_malloc);
-		len1 = WASM_VECTOR_LEN;
-	} catch (e) {
-		if (ptr1) {
-			wasm.__externref_drop_slice(ptr1, len1);
-			wasm.__wbindgen_free(ptr1, len1 * 4, 4);
-		}
-		if (ptr0) {
-			wasm.__externref_drop_slice(ptr0, len0);
-			wasm.__wbindgen_free(ptr0, len0 * 4, 4);
-		}
-		throw e;
-	}
-	const ret = wasm.masks_of_images(ptr0, len0, ptr1, len1);
+	const ret = wasm.masks_of_images(names, masks);
 	if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-	var v3 = getArrayI32FromWasm0(ret[0], ret[1]).slice();
+	var v1 = getArrayI32FromWasm0(ret[0], ret[1]).slice();
 	wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
-	return v3;
+	return v1;
 }
 function message$1(family, message, attribute, language) {
-	let deferred5_0;
-	let deferred5_1;
+	let deferred2_0;
+	let deferred2_1;
 	try {
-		let ptr0, len0, ptr1, len1, ptr2, len2;
-		try {
-			ptr0 = passStringToWasm0(family, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = isLikeNone(attribute) ? 0 : passStringToWasm0(attribute, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			len1 = WASM_VECTOR_LEN;
-			ptr2 = isLikeNone(language) ? 0 : passStringToWasm0(language, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			len2 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
-			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-			throw e;
-		}
-		const ret = wasm.message(ptr0, len0, message, ptr1, len1, ptr2, len2);
-		var ptr4 = ret[0];
-		var len4 = ret[1];
+		const ret = wasm.message(family, message, isLikeNone(attribute) ? 0 : addToExternrefTable0(attribute), isLikeNone(language) ? 0 : addToExternrefTable0(language));
+		var ptr1 = ret[0];
+		var len1 = ret[1];
 		if (ret[3]) {
-			ptr4 = 0;
-			len4 = 0;
+			ptr1 = 0;
+			len1 = 0;
 			throw takeFromExternrefTable0(ret[2]);
 		}
-		deferred5_0 = ptr4;
-		deferred5_1 = len4;
-		return getStringFromWasm0(ptr4, len4);
+		deferred2_0 = ptr1;
+		deferred2_1 = len1;
+		return getStringFromWasm0(ptr1, len1);
 	} finally {
-		wasm.__wbindgen_free(deferred5_0, deferred5_1, 1);
+		wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 	}
 }
 function one_image(matches, left_width, left_height, right_width, right_height) {
-	const val2 = +left_width;
-	const val3 = +left_height;
-	const val4 = +right_width;
-	const val5 = +right_height;
-	const ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
-	const len0 = WASM_VECTOR_LEN;
-	const ret = wasm.one_image(ptr0, len0, val2, val3, val4, val5);
+	const ret = wasm.one_image(matches, left_width, left_height, right_width, right_height);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -1048,37 +869,32 @@ function parameters() {
 	return wasm.parameters();
 }
 function parse_camera(json) {
-	const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-	const len0 = WASM_VECTOR_LEN;
-	const ret = wasm.parse_camera(ptr0, len0);
+	const ret = wasm.parse_camera(json);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
 function parse_camera_rules(json) {
-	const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-	const len0 = WASM_VECTOR_LEN;
-	const ret = wasm.parse_camera_rules(ptr0, len0);
+	const ret = wasm.parse_camera_rules(json);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
 function parse_fiducials(csv) {
-	const ptr0 = passStringToWasm0(csv, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-	const len0 = WASM_VECTOR_LEN;
-	const ret = wasm.parse_fiducials(ptr0, len0);
+	const ret = wasm.parse_fiducials(csv);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
 function parse_ground_control_points(text) {
-	const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-	const len0 = WASM_VECTOR_LEN;
-	const ret = wasm.parse_ground_control_points(ptr0, len0);
+	const ret = wasm.parse_ground_control_points(text);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-function parse_image_measurements(text) {
-	const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-	const len0 = WASM_VECTOR_LEN;
-	const ret = wasm.parse_image_measurements(ptr0, len0);
+function parse_image_measurements(text, images) {
+	const ret = wasm.parse_image_measurements(text, isLikeNone(images) ? 0 : addToExternrefTable0(images));
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function parse_image_positions(text) {
+	const ret = wasm.parse_image_positions(text);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -1088,9 +904,7 @@ function photo_camera(camera) {
 	return takeFromExternrefTable0(ret[0]);
 }
 function placed_tables(names, placed) {
-	const ptr0 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-	const len0 = WASM_VECTOR_LEN;
-	const ret = wasm.placed_tables(ptr0, len0, placed);
+	const ret = wasm.placed_tables(names, placed);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -1100,15 +914,18 @@ function placing_defaults() {
 function placing_parameters() {
 	return wasm.placing_parameters();
 }
+function positions_of_images(text, names, placing) {
+	const ret = wasm.positions_of_images(text, names, placing);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
 function project_kind(start) {
 	const ret = wasm.project_kind(start);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
 function refused_kind(name, start) {
-	const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-	const len0 = WASM_VECTOR_LEN;
-	const ret = wasm.refused_kind(ptr0, len0, start);
+	const ret = wasm.refused_kind(name, start);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -1121,34 +938,12 @@ function rule_names() {
 	return wasm.rule_names();
 }
 function system_coordinates(crs, geographic) {
-	let ptr0, len0, ptr1, len1;
-	try {
-		ptr0 = passStringToWasm0(crs, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-		len0 = WASM_VECTOR_LEN;
-		ptr1 = passArrayF64ToWasm0(geographic, wasm.__wbindgen_malloc);
-		len1 = WASM_VECTOR_LEN;
-	} catch (e) {
-		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 8, 8);
-		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-		throw e;
-	}
-	const ret = wasm.system_coordinates(ptr0, len0, ptr1, len1);
+	const ret = wasm.system_coordinates(crs, geographic);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
 function system_positions(crs, coordinates) {
-	let ptr0, len0, ptr1, len1;
-	try {
-		ptr0 = passStringToWasm0(crs, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-		len0 = WASM_VECTOR_LEN;
-		ptr1 = passArrayF64ToWasm0(coordinates, wasm.__wbindgen_malloc);
-		len1 = WASM_VECTOR_LEN;
-	} catch (e) {
-		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 8, 8);
-		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-		throw e;
-	}
-	const ret = wasm.system_positions(ptr0, len0, ptr1, len1);
+	const ret = wasm.system_positions(crs, coordinates);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -1175,12 +970,21 @@ function __wbg_get_imports() {
 				getDataViewMemory0().setInt32((arg0 >>> 0) + 4, len1, true);
 				getDataViewMemory0().setInt32((arg0 >>> 0) + 0, ptr1, true);
 			},
+			__wbg___wbindgen_is_bigint_5fa10641e039d3ef: function(arg0) {
+				return typeof arg0 === "bigint";
+			},
+			__wbg___wbindgen_is_function_741ff2bb612836f5: function(arg0) {
+				return typeof arg0 === "function";
+			},
 			__wbg___wbindgen_is_null_c22311b1cc228e3a: function(arg0) {
 				return arg0 === null;
 			},
 			__wbg___wbindgen_is_object_8b968c3ab8e96595: function(arg0) {
 				const val = arg0;
 				return typeof val === "object" && val !== null;
+			},
+			__wbg___wbindgen_is_symbol_f846131a047725ea: function(arg0) {
+				return typeof arg0 === "symbol";
 			},
 			__wbg___wbindgen_is_undefined_be5b34249ff1fc15: function(arg0) {
 				return arg0 === void 0;
@@ -1325,6 +1129,9 @@ function __wbg_get_imports() {
 			__wbg_new_37eb45aaf5eeb820: function() {
 				return new Array();
 			},
+			__wbg_new_4416a2fe2fac9c65: function(arg0, arg1) {
+				return new TypeError(getStringFromWasm0(arg0, arg1));
+			},
 			__wbg_new_68957d2a912dfa0a: function(arg0) {
 				return new Int32Array(arg0);
 			},
@@ -1418,7 +1225,7 @@ function __wbg_get_imports() {
 				return Symbol.toStringTag;
 			},
 			__wbindgen_generic_0000000000000001: function(arg0, arg1) {
-				return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
+				return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4);
 			},
 			__wbindgen_generic_0000000000000002: function(arg0) {
 				return arg0;
@@ -1437,8 +1244,10 @@ function __wbg_get_imports() {
 		}
 	};
 }
-function wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052(arg0, arg1, arg2, arg3) {
-	return wasm.wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3) {
+	const ret = wasm.wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
 }
 var BlockOnOrthophotoFinalization = typeof FinalizationRegistry === "undefined" ? {
 	register: () => {},
@@ -1486,7 +1295,20 @@ function addToExternrefTable0(obj) {
 	return idx;
 }
 function _assertClass(instance, klass) {
-	if (!(instance instanceof klass)) throw new Error(`expected instance of ${klass.name}`);
+	if (!(instance instanceof klass)) {
+		const error = {
+			kind: "invalid-argument",
+			what: "argument",
+			got: instance?.constructor?.name ?? (instance === null ? "null" : typeof instance),
+			wanted: klass.name
+		};
+		throw Object.assign(new Error(message$1("error", error)), {
+			name: "TiepointError",
+			code: "invalid-input",
+			usage: false,
+			error
+		});
+	}
 }
 var CLOSURE_DTORS = typeof FinalizationRegistry === "undefined" ? {
 	register: () => {},
@@ -1622,27 +1444,6 @@ function makeClosure(arg0, arg1, f) {
 	};
 	CLOSURE_DTORS.register(real, state, state);
 	return real;
-}
-function passArray8ToWasm0(arg, malloc) {
-	const ptr = malloc(arg.length * 1, 1) >>> 0;
-	getUint8ArrayMemory0().set(arg, ptr / 1);
-	WASM_VECTOR_LEN = arg.length;
-	return ptr;
-}
-function passArrayF64ToWasm0(arg, malloc) {
-	const ptr = malloc(arg.length * 8, 8) >>> 0;
-	getFloat64ArrayMemory0().set(arg, ptr / 8);
-	WASM_VECTOR_LEN = arg.length;
-	return ptr;
-}
-function passArrayJsValueToWasm0(array, malloc) {
-	const ptr = malloc(array.length * 4, 4) >>> 0;
-	for (let i = 0; i < array.length; i++) {
-		const add = addToExternrefTable0(array[i]);
-		getDataViewMemory0().setUint32(ptr + 4 * i, add, true);
-	}
-	WASM_VECTOR_LEN = array.length;
-	return ptr;
 }
 function passStringToWasm0(arg, malloc, realloc) {
 	if (realloc === void 0) {
@@ -4248,6 +4049,9 @@ var Layers = class {
 		this.contexts = Object.fromEntries(names.map((name) => [name, contextOf(canvasIn(host, name))]));
 		new ResizeObserver(() => this.resize()).observe(host);
 	}
+	get isLaid() {
+		return this.width > 1 && this.height > 1;
+	}
 	redraw(...names) {
 		for (const name of names.length > 0 ? names : this.names) this.dirty.add(name);
 		if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
@@ -4528,20 +4332,22 @@ function fitView(pane, width, height) {
 		scale
 	};
 }
+var MAX_SCALE = 64;
 var SHOWN_IN = new WeakMap();
 function inPane(view, { width, height }) {
-	if (width === 0 || height === 0) return view;
+	if (width <= 1 || height <= 1) return view;
 	const first = SHOWN_IN.get(view);
 	if (first === void 0) SHOWN_IN.set(view, {
 		width,
 		height
 	});
-	return first === void 0 ? view : {
+	if (first === void 0) return view;
+	const scale = view.scale * Math.min(width / first.width, height / first.height);
+	return {
 		...view,
-		scale: view.scale * Math.min(width / first.width, height / first.height)
+		scale: Math.min(scale, Math.max(MAX_SCALE, view.scale))
 	};
 }
-var MAX_SCALE = 64;
 function zoomed(pane, view, factor, x, y, least) {
 	const t = zoomedAbout(transformOf(pane, view), factor, x, y, {
 		least,
@@ -7244,7 +7050,7 @@ async function featureAt(workers, state, side, index) {
 	const { frames, gradients } = pointsOf(state, side);
 	if (128 * index >= gradients.length) return null;
 	const [scale = 1, direction = 0] = frames.subarray(2 * index, 2 * index + 2);
-	const reach = 4 * settingsOf(state).gradient.cell * scale;
+	const reach = reachOf(state, scale);
 	const worker = await workers.withImage(side, state);
 	const patch = (factor, turn) => worker.call("patch", {
 		x: at[0],
@@ -7261,6 +7067,25 @@ async function featureAt(workers, state, side, index) {
 		reach,
 		turned,
 		upright
+	};
+}
+function reachOf(state, scale) {
+	return 4 * settingsOf(state).gradient.cell * scale;
+}
+async function placeAt(workers, state, side, at, like, byHand) {
+	if (at === null) return null;
+	const worker = await workers.withImage(side, state);
+	const reach = SURROUNDINGS * (like?.reach ?? reachOf(state, 1));
+	return {
+		descriptor: null,
+		byHand,
+		upright: await worker.call("patch", {
+			x: at[0],
+			y: at[1],
+			direction: 0,
+			reach,
+			side: 112
+		})
 	};
 }
 async function lineOf(workers, state) {
@@ -7304,17 +7129,18 @@ async function candidatesOf(workers, state, left) {
 	});
 }
 async function comparedOf(workers, state, left) {
-	const { best, places } = matchOf$1(state);
+	const { best, places, rules } = matchOf$1(state);
 	const { selection } = state;
 	const right = selection?.side === "right" ? selection.index : best[left] ?? -1;
 	if (comparesGradients(settingsOf(state))) {
 		const [ofLeft, ofRight] = await Promise.all([featureAt(workers, state, "left", left), featureAt(workers, state, "right", right)]);
+		const byHand = rules[left] === BY_HAND;
 		return {
 			left: null,
 			right: null,
 			features: {
-				left: ofLeft,
-				right: ofRight
+				left: ofLeft ?? await placeAt(workers, state, "left", pointAt(state, "left", left), ofRight, byHand),
+				right: ofRight ?? await placeAt(workers, state, "right", placeOf(places, left), ofLeft, byHand)
 			}
 		};
 	}
@@ -8163,23 +7989,27 @@ var Files = class {
 	store;
 	engine;
 	openProject;
-	toBlock;
+	elsewhere;
 	putAside;
 	isReady = false;
 	started = () => void 0;
 	ready = new Promise((resolve) => {
 		this.started = resolve;
 	});
-	constructor(store, engine, openProject, toBlock, putAside) {
+	constructor(store, engine, openProject, elsewhere, putAside) {
 		this.store = store;
 		this.engine = engine;
 		this.openProject = openProject;
-		this.toBlock = toBlock;
+		this.elsewhere = elsewhere;
 		this.putAside = putAside;
 	}
 	begin() {
 		this.isReady = true;
 		this.started();
+	}
+	async give(found, side, asks = side === null) {
+		if (await this.elsewhere.toGround(found)) return;
+		await this.take(found.map(({ file }) => file), side, asks);
 	}
 	async take(files, side, asks = side === null) {
 		if (files.length === 0) return;
@@ -8197,7 +8027,7 @@ var Files = class {
 			return;
 		}
 		if (images.length > 2) {
-			this.toBlock(files.filter((file) => !masks.includes(file)), masks);
+			this.elsewhere.toBlock(files.filter((file) => !masks.includes(file)), masks);
 			return;
 		}
 		const before = this.store.state.images;
@@ -8508,7 +8338,7 @@ var Files = class {
 				text: say("open-three-as-a-block"),
 				act: () => {
 					dismiss();
-					this.toBlock(files, []);
+					this.elsewhere.toBlock(files, []);
 				}
 			},
 			{
@@ -8608,7 +8438,7 @@ function takerOf(store, view, files) {
 	return {
 		isActive: () => true,
 		markAt: (event) => sideAt(event) ?? "page",
-		take: (found, at) => void files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null, true)
+		take: (found, at) => void files.give(found, SIDES.find((side) => side === at) ?? null, true)
 	};
 }
 // www/pair/files/keep.ts
@@ -9883,6 +9713,14 @@ function summary(state) {
 		points: codes.length
 	});
 }
+// www/pair/state/on-image.ts
+function sizeOf({ results }, side) {
+	return results[side === "left" ? "openLeft" : "openRight"]?.value.info ?? null;
+}
+function isOnImage(state, side, [x, y]) {
+	const size = sizeOf(state, side);
+	return size === null || x >= 0 && y >= 0 && x <= size.width && y <= size.height;
+}
 // www/pair/state/draft.ts
 function nearest({ match }, side, [x, y]) {
 	const first = side === "left" ? 0 : 2;
@@ -9934,9 +9772,6 @@ function placeOfDraft(state, side) {
 	if (own !== null) return [own[0], own[1]];
 	return side === draft.side ? expectedPlace(state) : null;
 }
-function sizeOf({ results }, side) {
-	return results[side === "left" ? "openLeft" : "openRight"]?.value.info ?? null;
-}
 function placed(state, draft, side, [x, y]) {
 	const { width, height } = sizeOf(state, side) ?? {
 		width: Infinity,
@@ -9981,10 +9816,15 @@ function moving(state) {
 		side: state.selection?.side === "left" ? "right" : state.selection?.side ?? "right"
 	};
 }
+function isPredicted(state) {
+	const { draft } = state;
+	return draft !== null && draft.places[draft.side] === null && expectedPlace(state) !== null;
+}
 function editOfDraft(state) {
 	const { draft, history } = state;
 	const [left, right] = [placeOfDraft(state, "left"), placeOfDraft(state, "right")];
 	if (draft === null || left === null || right === null) return null;
+	if (draft.of === null && (draft.places.left === null || draft.places.right === null)) return null;
 	const at = [
 		roundedPx(left[0]),
 		roundedPx(left[1]),
@@ -10042,7 +9882,7 @@ function mountDraft(host, store, editing, follow) {
 		bar.hidden = state.tool !== "measure";
 		accept.disabled = editOfDraft(state) === null;
 		exchange.disabled = state.draft === null;
-		fit.disabled = accept.disabled;
+		fit.disabled = accept.disabled && !isPredicted(state);
 		const now = textOf$2(state);
 		if (text.textContent !== now) text.textContent = now;
 	});
@@ -10054,6 +9894,11 @@ function textOf$2(state) {
 		const at = placeOfDraft(state, side);
 		return at === null ? `${side} –` : `${side} ${fixed(at[0], 2)}, ${fixed(at[1], 2)}`;
 	};
+	if (isPredicted(state)) return say("px-predicted", {
+		place: place("left"),
+		place_2: place("right"),
+		side: draft.side
+	});
 	const what = draft.of === null ? say("new-match") : say("moved-match");
 	return say("px-place-the-point-press", {
 		what,
@@ -10342,6 +10187,7 @@ function mountEditTools(host, bar, store, editing) {
 	], () => {
 		const { state } = store;
 		choose.setAttribute("aria-pressed", String(state.tool === "choose"));
+		choose.disabled = editedPair(state) === null;
 		byId("view").dataset.tool = state.tool;
 		const [off, on] = [editOfChoice(state, "reject"), editOfChoice(state, "restore")];
 		set(reject, `${say("reject")}${several(off)}`, off === null);
@@ -11402,7 +11248,10 @@ function pickerOf(files) {
 		const given = [...input.files ?? []];
 		const [first] = given;
 		if (wanted.what === "mask" && wanted.side !== null && first !== void 0) files.takeMask(first, wanted.side);
-		else files.take(given, wanted.side);
+		else files.give(given.map((file) => ({
+			file,
+			path: ""
+		})), wanted.side);
 		input.value = "";
 		input.multiple = true;
 		wanted = {
@@ -11758,7 +11607,7 @@ function label(side, actions) {
 			width: opened.value.info.width,
 			height: opened.value.info.height
 		});
-		name.title = image === null ? "" : `${image.name}${size}`;
+		name.title = image === null ? "" : `${asFigure(image.name)}${size}`;
 		fill(name, h("span", {}, image?.name ?? ""), h("span", {}, size));
 	};
 	return {
@@ -11918,10 +11767,11 @@ var STAR = "#ffd400";
 var GRID = "rgb(255 212 0 / 0.55)";
 var featurePictures = remember(({ features }) => {
 	if (features === null) return [];
-	const both = (name, testid, picture, text) => {
+	const both = (name, testid, placed, picture, text) => {
 		const one = (side, label) => {
 			const feature = features[side];
 			if (feature === null) return h("figure", {}, h("p", { class: "note" }, say("no-point")), h("figcaption", {}, label));
+			if (feature.descriptor === null) return placeFigure(feature, label, placed);
 			const canvas = picture(feature);
 			canvas.setAttribute("aria-label", say("point-2", {
 				label,
@@ -11934,12 +11784,22 @@ var featurePictures = remember(({ features }) => {
 			testid
 		}, one("left", say("left")), one("right", say("right")))];
 	};
-	return [...both(say("turned-and-scaled-to-the"), "point-patches", turnedPicture, () => ""), ...both(say("descriptor-as-it-lies-in"), "point-descriptors", uprightPicture, ({ scale, direction, reach }) => say("scale-px-direction-px-wide", {
+	return [...both(say("turned-and-scaled-to-the"), "point-patches", false, turnedPicture, () => ""), ...both(say("descriptor-as-it-lies-in"), "point-descriptors", true, uprightPicture, ({ scale, direction, reach }) => say("scale-px-direction-px-wide", {
 		scale,
 		direction: direction * 180 / Math.PI,
 		reach
 	}))];
 });
+function placeFigure({ upright, byHand }, label, placed) {
+	const why = say("no-interest-point-here", { by: byHand ? "hand" : "least_squares" });
+	if (!placed) return h("figure", {}, h("p", { class: "note" }, why), h("figcaption", {}, label));
+	const [canvas] = canvasOf(upright);
+	canvas.setAttribute("aria-label", say("point-2", {
+		label,
+		name: why
+	}));
+	return h("figure", {}, canvas, h("figcaption", {}, label));
+}
 function stretched(grey) {
 	const [low, high] = grey.reduce(([least, most], value) => [Math.min(least, value), Math.max(most, value)], [255, 0]);
 	return grey.map((value) => 255 * (value - low) / Math.max(1, high - low));
@@ -12780,12 +12640,10 @@ var Editing = class {
 		const { state } = this.store;
 		const { draft } = state;
 		if (draft === null) return;
-		const at = placeOfDraft(state, draft.side);
-		const settled = at === null ? draft : placed(state, draft, draft.side, at);
 		this.store.dispatch({
 			type: "draft",
 			draft: {
-				...settled,
+				...draft,
 				side: otherSide(draft.side)
 			}
 		});
@@ -12796,10 +12654,11 @@ var Editing = class {
 		const [left, right] = [placeOfDraft(state, "left"), placeOfDraft(state, "right")];
 		if (draft === null || left === null || right === null) return;
 		const found = await this.fitter(left, right);
-		if (this.store.state.draft !== draft) return;
+		const now = this.store.state.draft;
+		if (now === null || now.of !== draft.of || now.places !== draft.places) return;
 		if (found !== null) this.store.dispatch({
 			type: "draft",
-			draft: placed(state, placed(state, draft, "left", left), "right", found)
+			draft: placed(state, placed(state, now, "left", left), "right", found)
 		});
 		const text = say("least-squares-matching-confirms-no");
 		this.store.dispatch({
@@ -12941,6 +12800,7 @@ var Marking = class {
 	orienter;
 	show;
 	steps;
+	refusal = null;
 	constructor(store, orienter, show) {
 		this.store = store;
 		this.orienter = orienter;
@@ -12977,7 +12837,7 @@ var Marking = class {
 	}
 	put(side, [x, y], deed) {
 		const { mark, photos } = this.store.state;
-		if (mark === null || mark.side !== side) return;
+		if (mark === null || mark.side !== side || this.refuses(side, [x, y])) return;
 		const { fiducials, origin } = photos[side];
 		const [left, top] = origin ?? [0, 0];
 		const [col = NaN, row = NaN] = [x + left, y + top].map(roundedPx);
@@ -12991,6 +12851,19 @@ var Marking = class {
 			placed,
 			...fiducials.slice(mark.index + 1)
 		], deed, mark.index);
+	}
+	refuses(side, at) {
+		const { store, refusal } = this;
+		const refused = !isOnImage(store.state, side, at);
+		this.refusal = refused ? {
+			kind: "info",
+			text: say("mark-beside-the-picture")
+		} : null;
+		if (refused || refusal !== null && store.state.notice === refusal) store.dispatch({
+			type: "notice",
+			notice: this.refusal
+		});
+		return refused;
 	}
 	async go(by) {
 		const { mark, photos } = this.store.state;
@@ -14762,7 +14635,7 @@ function selectedPlace(state, scene) {
 	return x === void 0 || y === void 0 ? null : toCanvas(transform, x, y);
 }
 // www/pair/mount.ts
-async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAside }) {
+async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBlock, putAside }) {
 	const store = new Store();
 	const { element: left, panels: [settings, camera, simulate] } = tabbed("settings", say("settings"), [
 		["settings", say("settings")],
@@ -14788,7 +14661,10 @@ async function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAsid
 	const navigator = new Navigator(store, view);
 	await breath();
 	const kept = new KeptPairs(store, engine, catalogue);
-	const files = new Files(store, engine, openProject, toBlock, () => putAside(kept));
+	const files = new Files(store, engine, openProject, {
+		toBlock,
+		toGround
+	}, () => putAside(kept));
 	const attempt = async (action) => {
 		try {
 			await action();
@@ -16447,6 +16323,7 @@ async function startParts(opening, serveDrop) {
 	const pair = await mountPair(catalogue, {
 		openProject,
 		toBlock,
+		toGround,
 		sampleBlock,
 		putAside: (kept) => keeper.putAside(kept)
 	});
@@ -16493,6 +16370,11 @@ async function startParts(opening, serveDrop) {
 	function toBlock(files, masks) {
 		inBlock((block) => block.give(files, masks));
 	}
+	async function toGround(found) {
+		if (!await hasGround(found)) return false;
+		await inBlock((block) => block.taker.take(found, null));
+		return true;
+	}
 	function sampleBlock() {
 		inBlock((block) => block.sample());
 	}
@@ -16514,14 +16396,7 @@ async function startParts(opening, serveDrop) {
 		return breath();
 	});
 	pair.begin();
-	takers.push({
-		...pair.taker,
-		take: (found, at) => void toPair(found, at)
-	});
-	async function toPair(found, at) {
-		if (await hasGround(found)) await inBlock((block) => block.taker.take(found, null));
-		else pair.taker.take(found, at);
-	}
+	takers.push(pair.taker);
 	serveDrop(takers);
 	watchLaunches(openProject);
 	mountReleases(byId("update"), keeper);
@@ -16551,7 +16426,7 @@ async function loadBlock(catalogue, pair, elsewhere) {
 			names: () => [pair.store.state.images.left?.name ?? null, pair.store.state.images.right?.name ?? null],
 			watch: (changed) => pair.store.watch(["images"], changed)
 		},
-		openPair: (store, images) => void openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images)
+		openPair: (store, images) => openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images)
 	});
 	block.store.dispatch({
 		type: "ready",
@@ -16559,4 +16434,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

@@ -72,10 +72,7 @@
 			return wasm.blockscene_photos(this.__wbg_ptr) >>> 0;
 		}
 		surface_at(index, positions) {
-			const val2 = +index;
-			const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.blockscene_surface_at(this.__wbg_ptr, val2, ptr0, len0);
+			const ret = wasm.blockscene_surface_at(this.__wbg_ptr, index, positions);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
@@ -141,9 +138,7 @@
 			return v1;
 		}
 		static open(project, names) {
-			var ptr0 = isLikeNone(names) ? 0 : passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-			var len0 = WASM_VECTOR_LEN;
-			const ret = wasm.epipolarpair_open(project, ptr0, len0);
+			const ret = wasm.epipolarpair_open(project, isLikeNone(names) ? 0 : addToExternrefTable0(names));
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return EpipolarPair.__wrap(ret[0]);
 		}
@@ -390,9 +385,7 @@
 			wasm.__wbg_orthophotoreference_free(ptr, 0);
 		}
 		adjust(name, file, given) {
-			const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, file, given);
+			const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, name, file, given);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
@@ -414,31 +407,25 @@
 			return takeFromExternrefTable0(ret[0]);
 		}
 		ground_positions(placement, positions) {
-			const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.orthophotoreference_ground_positions(this.__wbg_ptr, placement, ptr0, len0);
+			const ret = wasm.orthophotoreference_ground_positions(this.__wbg_ptr, placement, positions);
 			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-			var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+			var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
 			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-			return v2;
+			return v1;
 		}
 		heights_at(places) {
-			const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.orthophotoreference_heights_at(this.__wbg_ptr, ptr0, len0);
+			const ret = wasm.orthophotoreference_heights_at(this.__wbg_ptr, places);
 			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-			var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+			var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
 			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-			return v2;
+			return v1;
 		}
 		image_positions(placement, places) {
-			const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.orthophotoreference_image_positions(this.__wbg_ptr, placement, ptr0, len0);
+			const ret = wasm.orthophotoreference_image_positions(this.__wbg_ptr, placement, places);
 			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-			var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+			var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
 			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-			return v2;
+			return v1;
 		}
 		info() {
 			return wasm.orthophotoreference_info(this.__wbg_ptr);
@@ -456,18 +443,7 @@
 			return v1;
 		}
 		place(name, file, cameras, film) {
-			let ptr0, len0, ptr1, len1;
-			try {
-				ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-				len0 = WASM_VECTOR_LEN;
-				ptr1 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-				len1 = WASM_VECTOR_LEN;
-			} catch (e) {
-				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-				throw e;
-			}
-			const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, file, ptr1, len1, film);
+			const ret = wasm.orthophotoreference_place(this.__wbg_ptr, name, file, isLikeNone(cameras) ? 0 : addToExternrefTable0(cameras), film);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
@@ -512,13 +488,11 @@
 			return Photo.__wrap(ret[0]);
 		}
 		describe(point_list, window, strategy) {
-			const ptr0 = passArrayF64ToWasm0(point_list, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.photo_describe(this.__wbg_ptr, ptr0, len0, window, strategy);
+			const ret = wasm.photo_describe(this.__wbg_ptr, point_list, window, strategy);
 			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-			var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+			var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
 			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-			return v2;
+			return v1;
 		}
 		describe_points(settings, mask) {
 			const ret = wasm.photo_describe_points(this.__wbg_ptr, settings, isLikeNone(mask) ? 0 : addToExternrefTable0(mask));
@@ -662,10 +636,7 @@
 			return takeFromExternrefTable0(ret[0]);
 		}
 		prepare(id, digests) {
-			const val2 = +id;
-			const ptr0 = passArrayJsValueToWasm0(digests, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.run_prepare(this.__wbg_ptr, val2, ptr0, len0);
+			const ret = wasm.run_prepare(this.__wbg_ptr, id, digests);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
@@ -675,29 +646,11 @@
 		return wasm.call_parameters();
 	}
 	function candidates(index, left_points, left_descriptors, right_points, right_descriptors, offset, options) {
-		const val5 = +index;
-		let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
-		try {
-			ptr0 = passArrayF64ToWasm0(left_points, wasm.__wbindgen_malloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = passArrayF64ToWasm0(left_descriptors, wasm.__wbindgen_malloc);
-			len1 = WASM_VECTOR_LEN;
-			ptr2 = passArrayF64ToWasm0(right_points, wasm.__wbindgen_malloc);
-			len2 = WASM_VECTOR_LEN;
-			ptr3 = passArrayF64ToWasm0(right_descriptors, wasm.__wbindgen_malloc);
-			len3 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr3) wasm.__wbindgen_free(ptr3, len3 * 8, 8);
-			if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 8, 8);
-			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 8, 8);
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
-			throw e;
-		}
-		const ret = wasm.candidates(val5, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, offset, options);
+		const ret = wasm.candidates(index, left_points, left_descriptors, right_points, right_descriptors, offset, options);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-		var v6 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-		return v6;
+		return v1;
 	}
 	function connected_groups(images, connections) {
 		const ret = wasm.connected_groups(images, connections);
@@ -725,13 +678,11 @@
 		return takeFromExternrefTable0(ret[0]);
 	}
 	function execute_job(task, inputs) {
-		const ptr0 = passStringToWasm0(task, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.execute_job(ptr0, len0, inputs);
+		const ret = wasm.execute_job(task, inputs);
 		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-		var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-		return v2;
+		return v1;
 	}
 	function export_formats() {
 		return wasm.export_formats();
@@ -771,9 +722,7 @@
 		return takeFromExternrefTable0(ret[0]);
 	}
 	function local_positions(geographic) {
-		const ptr0 = passArrayF64ToWasm0(geographic, wasm.__wbindgen_malloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.local_positions(ptr0, len0);
+		const ret = wasm.local_positions(geographic);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -785,57 +734,41 @@
 		return takeFromExternrefTable0(ret[0]);
 	}
 	function matches_csv(matches) {
-		let deferred3_0;
-		let deferred3_1;
+		let deferred2_0;
+		let deferred2_1;
 		try {
-			const ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
-			const len0 = WASM_VECTOR_LEN;
-			const ret = wasm.matches_csv(ptr0, len0);
-			var ptr2 = ret[0];
-			var len2 = ret[1];
+			const ret = wasm.matches_csv(matches);
+			var ptr1 = ret[0];
+			var len1 = ret[1];
 			if (ret[3]) {
-				ptr2 = 0;
-				len2 = 0;
+				ptr1 = 0;
+				len1 = 0;
 				throw takeFromExternrefTable0(ret[2]);
 			}
-			deferred3_0 = ptr2;
-			deferred3_1 = len2;
-			return getStringFromWasm0(ptr2, len2);
+			deferred2_0 = ptr1;
+			deferred2_1 = len1;
+			return getStringFromWasm0(ptr1, len1);
 		} finally {
-			wasm.__wbindgen_free(deferred3_0, deferred3_1, 1);
+			wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 		}
 	}
 	function message$1(family, message, attribute, language) {
-		let deferred5_0;
-		let deferred5_1;
+		let deferred2_0;
+		let deferred2_1;
 		try {
-			let ptr0, len0, ptr1, len1, ptr2, len2;
-			try {
-				ptr0 = passStringToWasm0(family, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-				len0 = WASM_VECTOR_LEN;
-				ptr1 = isLikeNone(attribute) ? 0 : passStringToWasm0(attribute, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-				len1 = WASM_VECTOR_LEN;
-				ptr2 = isLikeNone(language) ? 0 : passStringToWasm0(language, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-				len2 = WASM_VECTOR_LEN;
-			} catch (e) {
-				if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
-				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
-				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
-				throw e;
-			}
-			const ret = wasm.message(ptr0, len0, message, ptr1, len1, ptr2, len2);
-			var ptr4 = ret[0];
-			var len4 = ret[1];
+			const ret = wasm.message(family, message, isLikeNone(attribute) ? 0 : addToExternrefTable0(attribute), isLikeNone(language) ? 0 : addToExternrefTable0(language));
+			var ptr1 = ret[0];
+			var len1 = ret[1];
 			if (ret[3]) {
-				ptr4 = 0;
-				len4 = 0;
+				ptr1 = 0;
+				len1 = 0;
 				throw takeFromExternrefTable0(ret[2]);
 			}
-			deferred5_0 = ptr4;
-			deferred5_1 = len4;
-			return getStringFromWasm0(ptr4, len4);
+			deferred2_0 = ptr1;
+			deferred2_1 = len1;
+			return getStringFromWasm0(ptr1, len1);
 		} finally {
-			wasm.__wbindgen_free(deferred5_0, deferred5_1, 1);
+			wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 		}
 	}
 	function nearest_piece(left, first, end, right) {
@@ -854,32 +787,17 @@
 		return takeFromExternrefTable0(ret[0]);
 	}
 	function orient_matches(matches, fits, interior, options, points) {
-		let ptr0, len0, ptr1, len1;
-		try {
-			ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = passArrayF64ToWasm0(fits, wasm.__wbindgen_malloc);
-			len1 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 8, 8);
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
-			throw e;
-		}
-		const ret = wasm.orient_matches(ptr0, len0, ptr1, len1, interior, options, points);
+		const ret = wasm.orient_matches(matches, fits, interior, options, points);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
 	function parse_camera(json) {
-		const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.parse_camera(ptr0, len0);
+		const ret = wasm.parse_camera(json);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
 	function parse_fiducials(csv) {
-		const ptr0 = passStringToWasm0(csv, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-		const len0 = WASM_VECTOR_LEN;
-		const ret = wasm.parse_fiducials(ptr0, len0);
+		const ret = wasm.parse_fiducials(csv);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -889,25 +807,7 @@
 		return takeFromExternrefTable0(ret[0]);
 	}
 	function score_matches(matches, left_points, right_position, left_width, left_height, right_width, right_height) {
-		const val4 = +left_width;
-		const val5 = +left_height;
-		const val6 = +right_width;
-		const val7 = +right_height;
-		let ptr0, len0, ptr1, len1, ptr2, len2;
-		try {
-			ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
-			len0 = WASM_VECTOR_LEN;
-			ptr1 = passArrayF64ToWasm0(left_points, wasm.__wbindgen_malloc);
-			len1 = WASM_VECTOR_LEN;
-			ptr2 = passArrayF32ToWasm0(right_position, wasm.__wbindgen_malloc);
-			len2 = WASM_VECTOR_LEN;
-		} catch (e) {
-			if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 4, 4);
-			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 8, 8);
-			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
-			throw e;
-		}
-		const ret = wasm.score_matches(ptr0, len0, ptr1, len1, ptr2, len2, val4, val5, val6, val7);
+		const ret = wasm.score_matches(matches, left_points, right_position, left_width, left_height, right_width, right_height);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -953,12 +853,21 @@
 					getDataViewMemory0().setInt32((arg0 >>> 0) + 4, len1, true);
 					getDataViewMemory0().setInt32((arg0 >>> 0) + 0, ptr1, true);
 				},
+				__wbg___wbindgen_is_bigint_5fa10641e039d3ef: function(arg0) {
+					return typeof arg0 === "bigint";
+				},
+				__wbg___wbindgen_is_function_741ff2bb612836f5: function(arg0) {
+					return typeof arg0 === "function";
+				},
 				__wbg___wbindgen_is_null_c22311b1cc228e3a: function(arg0) {
 					return arg0 === null;
 				},
 				__wbg___wbindgen_is_object_8b968c3ab8e96595: function(arg0) {
 					const val = arg0;
 					return typeof val === "object" && val !== null;
+				},
+				__wbg___wbindgen_is_symbol_f846131a047725ea: function(arg0) {
+					return typeof arg0 === "symbol";
 				},
 				__wbg___wbindgen_is_undefined_be5b34249ff1fc15: function(arg0) {
 					return arg0 === void 0;
@@ -1103,6 +1012,9 @@
 				__wbg_new_37eb45aaf5eeb820: function() {
 					return new Array();
 				},
+				__wbg_new_4416a2fe2fac9c65: function(arg0, arg1) {
+					return new TypeError(getStringFromWasm0(arg0, arg1));
+				},
 				__wbg_new_68957d2a912dfa0a: function(arg0) {
 					return new Int32Array(arg0);
 				},
@@ -1196,7 +1108,7 @@
 					return Symbol.toStringTag;
 				},
 				__wbindgen_generic_0000000000000001: function(arg0, arg1) {
-					return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052);
+					return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4);
 				},
 				__wbindgen_generic_0000000000000002: function(arg0) {
 					return arg0;
@@ -1215,8 +1127,10 @@
 			}
 		};
 	}
-	function wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052(arg0, arg1, arg2, arg3) {
-		return wasm.wasm_bindgen__convert__closures_____invoke__h2cf1f7c9b9007052(arg0, arg1, arg2, arg3);
+	function wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3) {
+		const ret = wasm.wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
 	}
 	var BlockOnOrthophotoFinalization = typeof FinalizationRegistry === "undefined" ? {
 		register: () => {},
@@ -1264,7 +1178,20 @@
 		return idx;
 	}
 	function _assertClass(instance, klass) {
-		if (!(instance instanceof klass)) throw new Error(`expected instance of ${klass.name}`);
+		if (!(instance instanceof klass)) {
+			const error = {
+				kind: "invalid-argument",
+				what: "argument",
+				got: instance?.constructor?.name ?? (instance === null ? "null" : typeof instance),
+				wanted: klass.name
+			};
+			throw Object.assign(new Error(message$1("error", error)), {
+				name: "TiepointError",
+				code: "invalid-input",
+				usage: false,
+				error
+			});
+		}
 	}
 	var CLOSURE_DTORS = typeof FinalizationRegistry === "undefined" ? {
 		register: () => {},
@@ -1400,27 +1327,6 @@
 		};
 		CLOSURE_DTORS.register(real, state, state);
 		return real;
-	}
-	function passArrayF32ToWasm0(arg, malloc) {
-		const ptr = malloc(arg.length * 4, 4) >>> 0;
-		getFloat32ArrayMemory0().set(arg, ptr / 4);
-		WASM_VECTOR_LEN = arg.length;
-		return ptr;
-	}
-	function passArrayF64ToWasm0(arg, malloc) {
-		const ptr = malloc(arg.length * 8, 8) >>> 0;
-		getFloat64ArrayMemory0().set(arg, ptr / 8);
-		WASM_VECTOR_LEN = arg.length;
-		return ptr;
-	}
-	function passArrayJsValueToWasm0(array, malloc) {
-		const ptr = malloc(array.length * 4, 4) >>> 0;
-		for (let i = 0; i < array.length; i++) {
-			const add = addToExternrefTable0(array[i]);
-			getDataViewMemory0().setUint32(ptr + 4 * i, add, true);
-		}
-		WASM_VECTOR_LEN = array.length;
-		return ptr;
 	}
 	function passStringToWasm0(arg, malloc, realloc) {
 		if (realloc === void 0) {
@@ -1953,6 +1859,11 @@
 			default: return null;
 		}
 	}
+	// pkg/block/kind.js
+	function kindOf(value) {
+		if (value === null) return "null";
+		return typeof value === "object" ? Object.prototype.toString.call(value).slice(8, -1) : typeof value;
+	}
 	// pkg/block/given.js
 	var OPTIONS = [
 		"settings",
@@ -1960,18 +1871,25 @@
 		"gps",
 		"control",
 		"masks",
-		"geoid"
+		"geoid",
+		"positions",
+		"onOrthophoto"
 	];
 	function checkGiven(sources, options, surroundings) {
 		if (!isObject(options)) refuse("options", options, "object");
 		const unknown = Object.keys(options).find((name) => !OPTIONS.includes(name));
 		if (unknown !== void 0) refuseField(unknown);
-		const { cameras, gps, masks, geoid } = options;
-		if (isGiven(cameras) && typeof cameras?.text !== "string") refuse("cameras", cameras, "{ name, text }");
+		const { cameras, gps, masks, geoid, positions, onOrthophoto } = options;
+		if (isGiven(cameras)) {
+			if (!isObject(cameras)) refuse("cameras", cameras, "{ name, text }");
+			checkType("cameras.text", cameras.text, "string");
+		}
 		if (gps !== void 0 && gps !== "use" && gps !== "ignore") refuse("gps", gps, "use, ignore");
+		if (onOrthophoto !== void 0 && typeof onOrthophoto !== "boolean") refuse("onOrthophoto", onOrthophoto, "true, false");
+		if (isGiven(positions)) checkType("positions", positions, "string");
 		checkSources("images", sources);
-		checkSources("masks", masks === void 0 ? [] : masks);
-		checkSources("geoid", isGiven(geoid) ? [geoid] : []);
+		checkSources("masks", masks ?? []);
+		if (isGiven(geoid)) checkSource("geoid", geoid);
 		if (!isObject(surroundings)) refuse("surroundings", surroundings, "{ pool, store }");
 		const { pool, store } = surroundings;
 		if (typeof pool?.run !== "function") refuse("pool", pool, "{ size, run }");
@@ -1982,8 +1900,17 @@
 	function checkSources(field, sources) {
 		if (!Array.isArray(sources)) refuse(field, sources, "[{ name, bytes }]");
 		sources.forEach((source, index) => {
-			if (typeof source?.name !== "string" || typeof source.bytes !== "function") refuse(`${field}[${index}]`, source, "{ name, bytes }");
+			checkSource(`${field}[${index}]`, source);
 		});
+	}
+	function checkSource(field, source) {
+		if (!isObject(source)) refuse(field, source, "{ name, bytes }");
+		const { name, bytes } = source;
+		checkType(`${field}.name`, name, "string");
+		checkType(`${field}.bytes`, bytes, "function");
+	}
+	function checkType(field, value, type) {
+		if (typeof value !== type) refuse(field, isObject(value) || !isGiven(value) ? value : `${shown(value)} (${typeof value})`, type);
 	}
 	function allowedWorkers() {
 		const workers = call_parameters().find(({ key }) => key === "workers");
@@ -2037,7 +1964,29 @@
 	function shown(value) {
 		if (!isGiven(value)) return null;
 		if (Array.isArray(value)) return `[${value.length}]`;
-		return isObject(value) ? `{ ${Object.keys(value).join(", ")} }` : String(value);
+		if (!isObject(value)) return String(value);
+		return kindOf(value) === "Object" ? `{ ${Object.keys(value).join(", ")} }` : kindOf(value);
+	}
+	// pkg/block/own-bytes.js
+	function ownBytes(given) {
+		switch (kindOf(given)) {
+			case "Uint8Array":
+			case "Uint8ClampedArray": {
+				const { buffer, byteOffset, byteLength } = given;
+				const bytes = new Uint8Array(buffer, byteOffset, byteLength);
+				return kindOf(buffer) === "SharedArrayBuffer" ? bytes.slice() : bytes;
+			}
+			case "ArrayBuffer": return new Uint8Array(given);
+			default: {
+				const error = {
+					kind: "invalid-argument",
+					what: "bytes",
+					got: kindOf(given),
+					wanted: "Uint8Array"
+				};
+				throw new TypeError(message$1("error", error));
+			}
+		}
 	}
 	// pkg/block/timed.js
 	function timed(width) {
@@ -2062,7 +2011,8 @@
 	// pkg/block/run.js
 	async function runBlock(sources, options, surroundings) {
 		checkGiven(sources, options, surroundings);
-		const { settings = {}, cameras, gps, control, masks = [], geoid } = options;
+		const { settings = {}, cameras, gps, control, geoid, positions, onOrthophoto = false } = options;
+		const masks = options.masks ?? [];
 		const { pool, progress, news, signal } = surroundings;
 		const names = (files) => files.map(({ name }) => name);
 		const run = new Run({
@@ -2072,7 +2022,9 @@
 			cameras: cameras?.text ?? null,
 			use_gnss: gps !== "ignore",
 			control: control ?? null,
-			...geoid && { geoid: geoid.name }
+			...geoid && { geoid: geoid.name },
+			...positions !== void 0 && positions !== null && { positions },
+			on_orthophoto: onOrthophoto
 		});
 		const width = pool.size + 1;
 		const step = timed(width);
@@ -2111,7 +2063,7 @@
 	async function performed({ id, files: needed }, run, files, { pool, store }) {
 		let inputs;
 		try {
-			inputs = await Promise.all(needed.map(({ kind, index }) => files[kind][index].bytes()));
+			inputs = await Promise.all(needed.map(async ({ kind, index }) => ownBytes(await files[kind][index].bytes())));
 		} catch (error) {
 			return run.failed(id, {
 				kind: "unreadable",
@@ -2563,7 +2515,7 @@
 			})),
 			connections: links,
 			groups: connected_groups(read.length, [...connections]),
-			layout: layoutOf(read.map(() => null), read.map(({ exif }) => exif.position), links),
+			layout: layoutOf(read.map(() => null), read.map(({ exif, given }) => given?.position ?? exif.position), links),
 			points: {
 				count: 0,
 				taking: 0,

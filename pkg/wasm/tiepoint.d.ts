@@ -527,6 +527,10 @@ export interface RunInput {
      */
     geoid?: string;
     /**
+     * GNSS positions of images, which take the place of those that the files of these images record: the text of a table.
+     */
+    positions?: string;
+    /**
      * Whether an orthophoto is to place the block afterwards: then one or two control points, and check points alone, are of use.
      */
     on_orthophoto?: boolean;
@@ -588,7 +592,7 @@ export interface KnownCamera {
     radial?: [number, number, number];
     tangential?: [number, number];
     /**
-     * What the block estimates of it, where it determines that: by default all but k3, p1 and p2.
+     * What the block estimates of it, where it determines that: by default all but k3.
      */
     free?: FreeParameters;
     /**
@@ -1598,6 +1602,10 @@ export interface ReadImage {
     features: number;
     exif: ExifImage;
     /**
+     * The GNSS position that a table gives it, in place of that of the file.
+     */
+    given?: GivenPosition;
+    /**
      * As far as this image says.
      */
     camera: InitialCamera;
@@ -1630,6 +1638,10 @@ export interface RunImage {
      */
     masked: boolean;
     exif: ExifImage;
+    /**
+     * The GNSS position that a table gave, in place of that of the file.
+     */
+    given?: GivenPosition;
     /**
      * Index of its camera.
      */
@@ -3062,6 +3074,24 @@ export interface CameraUncertainty {
 }
 
 /**
+ * The GNSS position of an image that a table gives.
+ */
+export interface GivenPosition {
+    /**
+     * Its height is above the ellipsoid; of one in the coordinate reference system above the zero of that, where it is not known how high this lies.
+     */
+    position: ExifPosition;
+    /**
+     * Standard errors of the place and of the height in m, above 0; each is absent where the table has none.
+     */
+    standard_errors_m: [number | null, number | null];
+    /**
+     * Whether it was given in the coordinate reference system of the block, whose heights it has.
+     */
+    in_crs: boolean;
+}
+
+/**
  * The angle, or the direction of the base, with the widest interval.
  */
 export type KnownWorst = "omega" | "phi" | "kappa" | "base";
@@ -3792,6 +3822,43 @@ export interface SharedPoints {
      */
     images: [number, number];
     points: number;
+}
+
+/**
+ * The position of an image as a table has it.
+ */
+export interface ImagePositionRow {
+    /**
+     * The image as the table names it: its file name, perhaps with a folder or without its ending.
+     */
+    image: string;
+    /**
+     * Longitude and latitude in degrees, or x and y in the unit of the coordinate reference system.
+     */
+    place: [number, number];
+    /**
+     * Absent where the table has none.
+     */
+    height: number | null;
+    /**
+     * Standard errors of the place and of the height in m, above 0; each is absent where the table has none.
+     */
+    standard_errors: [number | null, number | null];
+    /**
+     * The line of the table, counted from 1.
+     */
+    line: number;
+}
+
+/**
+ * The positions of images that a table has.
+ */
+export interface ImagePositions {
+    /**
+     * Whether places are longitude and latitude of WGS 84 in degrees, with heights above the ellipsoid; else they are x and y of a coordinate reference system.
+     */
+    is_geographic: boolean;
+    rows: ImagePositionRow[];
 }
 
 /**
@@ -4733,7 +4800,7 @@ export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number;
 /**
  * What the run reports of its input beside the images that it skips.
  */
-export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_elsewhere"; images: number; within_m: number; distance_km: number; crs: string; orthophoto_slip: OrthophotoSlip } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "orthophoto_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "mosaic_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unknown_position_columns"; columns: string[] } | { kind: "doubled_position_columns"; columns: string[] } | { kind: "positions_of_other_images"; images: string[]; all: boolean } | { kind: "unmeasured_points"; points: string[] } | { kind: "unknown_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_elsewhere"; images: number; within_m: number; distance_km: number; crs: string; orthophoto_slip: OrthophotoSlip } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "orthophoto_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "mosaic_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
 
 /**
  * What two points are compared by.
@@ -4946,7 +5013,7 @@ export class BlockScene {
     /**
      * Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
      */
-    surface_at(index: number, positions: Float64Array | number[]): Float64Array;
+    surface_at(index: number, positions: Float64Array | readonly number[]): Float64Array;
     /**
      * The true cameras and exterior orientations.
      */
@@ -4982,7 +5049,7 @@ export class EpipolarPair {
      * Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
      * that order in which the base goes to the right.
      */
-    static open(project: Uint8Array | Uint8ClampedArray | ArrayBuffer, names?: string[] | null): EpipolarPair;
+    static open(project: Uint8Array | Uint8ClampedArray | ArrayBuffer, names?: readonly string[] | null): EpipolarPair;
     /**
      * Resamples the grey values of both images, which are given in the order of `names`.
      */
@@ -5173,15 +5240,15 @@ export class OrthophotoReference {
     /**
      * The ground X, Y, Z, stride 3, that positions of a placed image show, stride 2; no numbers where they show none.
      */
-    ground_positions(placement: Placement, positions: Float64Array | number[]): Float64Array;
+    ground_positions(placement: Placement, positions: Float64Array | readonly number[]): Float64Array;
     /**
      * The heights of places X, Y, stride 2; no number where there is none.
      */
-    heights_at(places: Float64Array | number[]): Float64Array;
+    heights_at(places: Float64Array | readonly number[]): Float64Array;
     /**
      * Where places X, Y of the ground, stride 2, are in a placed image: x and y in px, stride 2, no numbers where it does not show them.
      */
-    image_positions(placement: Placement, places: Float64Array | number[]): Float64Array;
+    image_positions(placement: Placement, places: Float64Array | readonly number[]): Float64Array;
     /**
      * Size, place and heights.
      */
@@ -5233,7 +5300,7 @@ export class Photo {
      * Describes points (stride 3) by the seven numbers each that a strategy compares; NaN where a window leaves the image or is constant.
      * Empty for the strategies that compare grey values.
      */
-    describe(point_list: Float64Array | number[], window: Given<WindowOptions>, strategy: Strategy): Float64Array;
+    describe(point_list: Float64Array | readonly number[], window: Given<WindowOptions>, strategy: Strategy): Float64Array;
     /**
      * Finds interest points and describes them as the strategy of the settings needs it.
      */
@@ -5335,7 +5402,7 @@ export class Run {
     /**
      * What is to be done for a job whose files have these digests, SHA-256 in hexadecimal digits.
      */
-    prepare(id: number, digests: string[]): Work;
+    prepare(id: number, digests: readonly string[]): Work;
 }
 
 /**
@@ -5396,7 +5463,7 @@ export function camera_of_focal_px(focal_px: number): CameraMm;
 /**
  * The candidates of one left point, the best first: index of the right point and measure, stride 2.
  */
-export function candidates(index: number, left_points: Float64Array | number[], left_descriptors: Float64Array | number[], right_points: Float64Array | number[], right_descriptors: Float64Array | number[], offset: OffsetField, options: Given<MatchOptions>): Float64Array;
+export function candidates(index: number, left_points: Float64Array | readonly number[], left_descriptors: Float64Array | readonly number[], right_points: Float64Array | readonly number[], right_descriptors: Float64Array | readonly number[], offset: OffsetField, options: Given<MatchOptions>): Float64Array;
 
 /**
  * Refuses a truth of other images.
@@ -5406,13 +5473,13 @@ export function check_block_truth(truth: BlockModel, names: readonly string[]): 
 /**
  * Refuses a file of cameras that cannot be read, or fits no image of these names, where there are any.
  */
-export function check_cameras(text: string, names: string[]): void;
+export function check_cameras(text: string, names: readonly string[]): void;
 
 /**
  * Refuses ground control points and image measurements that a run of these images would refuse, as far as their names say. `on_orthophoto`:
  * whether one places the block afterwards.
  */
-export function check_control(points: string, marks: string, names: string[], placing: GeoreferencingOptions, on_orthophoto?: boolean | null): void;
+export function check_control(points: string, marks: string, names: readonly string[], placing: GeoreferencingOptions, on_orthophoto?: boolean | null): void;
 
 /**
  * Refuses a flight that [`simulate`] refuses, without rendering it; parameters that are absent are those of the sample.
@@ -5450,7 +5517,7 @@ export function defaults(): PairSettings;
  * `matches`: stride 5, `x left, y left, x right, y right, measure` in px. `codes`: one a match, the index of its style; a code without
  * a style is not drawn. `widths` and `colours`: one a style. Views as of `draw_points`. Where more than `most` are in view, evenly many are drawn.
  */
-export function draw_match_lines(context: CanvasRenderingContext2D, matches: Float64Array | number[], codes: Uint8Array | number[], widths: Float64Array | number[], colours: string[], left_view: Float64Array | number[], right_view: Float64Array | number[], most: number): number;
+export function draw_match_lines(context: CanvasRenderingContext2D, matches: Float64Array | readonly number[], codes: Uint8Array | Uint8ClampedArray | ArrayBuffer, widths: Float64Array | readonly number[], colours: readonly string[], left_view: Float64Array | readonly number[], right_view: Float64Array | readonly number[], most: number): number;
 
 /**
  * Draws points; returns how many were drawn.
@@ -5462,7 +5529,7 @@ export function draw_match_lines(context: CanvasRenderingContext2D, matches: Flo
  * units. Styles are drawn in order,
  * the last on top; where points crowd, some are left out.
  */
-export function draw_points(context: CanvasRenderingContext2D, points: Float64Array | number[], codes: Uint8Array | number[], styles: Float64Array | number[], colours: string[], view: Float64Array | number[]): number;
+export function draw_points(context: CanvasRenderingContext2D, points: Float64Array | readonly number[], codes: Uint8Array | Uint8ClampedArray | ArrayBuffer, styles: Float64Array | readonly number[], colours: readonly string[], view: Float64Array | readonly number[]): number;
 
 /**
  * Draws vectors as arrows from their points, enlarged `factor` times; returns how many.
@@ -5470,7 +5537,7 @@ export function draw_points(context: CanvasRenderingContext2D, points: Float64Ar
  * `vectors`: stride 4, `x, y, dx, dy` in px of the image. `codes`: one a vector, the index of its style; a code without a style is not drawn.
  * `widths` and `colours`: one a style. `view`: as of `draw_points`.
  */
-export function draw_vectors(context: CanvasRenderingContext2D, vectors: Float64Array | number[], codes: Uint8Array | number[], widths: Float64Array | number[], colours: string[], factor: number, view: Float64Array | number[]): number;
+export function draw_vectors(context: CanvasRenderingContext2D, vectors: Float64Array | readonly number[], codes: Uint8Array | Uint8ClampedArray | ArrayBuffer, widths: Float64Array | readonly number[], colours: readonly string[], factor: number, view: Float64Array | readonly number[]): number;
 
 /**
  * Where a point of one image may be seen in the other, by the geometry that `match_photos` gave with the same interior orientations:
@@ -5530,7 +5597,7 @@ export function film_pixel_mm(film: Given<FilmInput>): number;
  * Positions of a scan in its frame, or of a frame in its scan: x, y, x, y … in px, the centre of the top-left pixel at (0.5, 0.5). NaN where there is none,
  * as beside the frame. `to`: `frame` or `scan`.
  */
-export function film_positions(scan: FilmScan, positions: Float64Array | number[], to: 'frame' | 'scan'): Float64Array;
+export function film_positions(scan: FilmScan, positions: Float64Array | readonly number[], to: 'frame' | 'scan'): Float64Array;
 
 /**
  * Every parameter of a flight.
@@ -5550,7 +5617,7 @@ export function flight_presets(): Preset[];
 /**
  * Longitudes, latitudes and heights (stride 3) of positions in m east, north and up of an origin, which is their first row: of the others alone.
  */
-export function geographic_positions(positions: Float64Array | number[]): Float64Array;
+export function geographic_positions(positions: Float64Array | readonly number[]): Float64Array;
 
 /**
  * The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.
@@ -5586,12 +5653,12 @@ export function join_nearest(pieces: NearestPiece[], options: Given<NearestOptio
 /**
  * Positions in m east, north and up of the first known one: of longitude, latitude in degrees and height in m (stride 3), NaN where not known.
  */
-export function local_positions(geographic: Float64Array | number[]): Float64Array;
+export function local_positions(geographic: Float64Array | readonly number[]): Float64Array;
 
 /**
  * The index of the mask of each image, by their names; -1 for an image without one. Refuses two masks of one image.
  */
-export function masks_of_images(names: string[], masks: string[]): Int32Array;
+export function masks_of_images(names: readonly string[], masks: readonly string[]): Int32Array;
 
 /**
  * Matches and orients two photos whose points are described: the rest of `match_pair`. For the strategy gradient the nearest descriptors may
@@ -5608,12 +5675,12 @@ export function match_descriptors(left: Uint8Array | Uint8ClampedArray | ArrayBu
  * Matches the features of two images (positions x, y in px, stride 2; 128 bytes each) by nearest descriptors, verified by the geometry of
  * the two views and completed along its lines. Where `options.geometry` names cameras, positions are those of cameras without distortion.
  */
-export function match_features(left_positions: Float64Array | number[], left_descriptors: Uint8Array | Uint8ClampedArray | ArrayBuffer, right_positions: Float64Array | number[], right_descriptors: Uint8Array | Uint8ClampedArray | ArrayBuffer, options: Given<FeatureMatchOptions>): VerifiedMatches;
+export function match_features(left_positions: Float64Array | readonly number[], left_descriptors: Uint8Array | Uint8ClampedArray | ArrayBuffer, right_positions: Float64Array | readonly number[], right_descriptors: Uint8Array | Uint8ClampedArray | ArrayBuffer, options: Given<FeatureMatchOptions>): VerifiedMatches;
 
 /**
  * Matches byte descriptors near the epipolar line, or the place, of each left point: positions x, y in px (stride 2), 128 bytes each.
  */
-export function match_guided_descriptors(left_positions: Float64Array | number[], left_descriptors: Uint8Array | Uint8ClampedArray | ArrayBuffer, right_positions: Float64Array | number[], right_descriptors: Uint8Array | Uint8ClampedArray | ArrayBuffer, guide: MatchGuide, options: Given<GuidedOptions>): DescriptorMatches;
+export function match_guided_descriptors(left_positions: Float64Array | readonly number[], left_descriptors: Uint8Array | Uint8ClampedArray | ArrayBuffer, right_positions: Float64Array | readonly number[], right_descriptors: Uint8Array | Uint8ClampedArray | ArrayBuffer, guide: MatchGuide, options: Given<GuidedOptions>): DescriptorMatches;
 
 /**
  * Matches and orients a pair on one thread. Points whose pixel is 0 in the mask of their image, of its size and row by row, are left out.
@@ -5632,24 +5699,24 @@ export function match_photos(left: Photo, right: Photo, left_points: GivenPoints
 /**
  * Matches described points: points of stride 3, descriptors of stride 7.
  */
-export function match_points(left_points: Float64Array | number[], left_descriptors: Float64Array | number[], right_points: Float64Array | number[], right_descriptors: Float64Array | number[], offset: OffsetField, options: Given<MatchOptions>): MatchResult;
+export function match_points(left_points: Float64Array | readonly number[], left_descriptors: Float64Array | readonly number[], right_points: Float64Array | readonly number[], right_descriptors: Float64Array | readonly number[], offset: OffsetField, options: Given<MatchOptions>): MatchResult;
 
 /**
  * Writes matches (stride 5) as CSV.
  */
-export function matches_csv(matches: Float64Array | number[]): string;
+export function matches_csv(matches: Float64Array | readonly number[]): string;
 
 /**
  * Object points of observations (stride 4) that are oriented as `orient_relative` does: X, Y, Z, their standard errors (NaN where there are
  * none), 1 where the observation took part and 0 where it was rejected; stride 7, NaN for parallel rays. `base`: the length of the base in
  * the unit that the points shall have; 1: the base is the unit.
  */
-export function model_points(observations: Float64Array | number[], focal_mm: number, options: Given<OrientationOptions>, base: number, weights?: Float64Array | number[] | null): Float64Array;
+export function model_points(observations: Float64Array | readonly number[], focal_mm: number, options: Given<OrientationOptions>, base: number, weights?: Float64Array | readonly number[] | null): Float64Array;
 
 /**
  * Writes object points of a pair (stride 7, as `model_points` gives them) as CSV.
  */
-export function model_points_csv(points: Float64Array | number[]): string;
+export function model_points_csv(points: Float64Array | readonly number[]): string;
 
 /**
  * The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest` and
@@ -5660,13 +5727,13 @@ export function nearest_piece(left: Uint8Array | Uint8ClampedArray | ArrayBuffer
 /**
  * Photo coordinates x, y left, x, y right in mm (stride 4) of matches (stride 5).
  */
-export function observations(matches: Float64Array | number[], left: Interior, right: Interior): Float64Array;
+export function observations(matches: Float64Array | readonly number[], left: Interior, right: Interior): Float64Array;
 
 /**
  * Why matches (stride 5) between images of these sizes in px have no base: they are one photo twice, or parts of one image. Null where
  * they are neither.
  */
-export function one_image(matches: Float64Array | number[], left_width: number, left_height: number, right_width: number, right_height: number): NoOrientation | null;
+export function one_image(matches: Float64Array | readonly number[], left_width: number, left_height: number, right_width: number, right_height: number): NoOrientation | null;
 
 /**
  * Opens the project file of a pair; one that is damaged or of another kind is refused whole.
@@ -5682,12 +5749,12 @@ export function orient_fiducials(fiducials: Fiducial[], model: FiducialModel): F
  * Relative orientation from matches (stride 5) with what least squares matching found of them (stride 5, as `MatchResult.fits`; empty: all
  * of weight 1), with the verdict on it. `points`: how many the left and the right image have, where they were matched. The total standard errors hold those of the interior orientations, where these have covariances.
  */
-export function orient_matches(matches: Float64Array | number[], fits: Float64Array | number[], interior: PairInterior, options: Given<OrientationOptions>, points?: [number, number]): OrientedPair;
+export function orient_matches(matches: Float64Array | readonly number[], fits: Float64Array | readonly number[], interior: PairInterior, options: Given<OrientationOptions>, points?: [number, number]): OrientedPair;
 
 /**
  * Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1.
  */
-export function orient_relative(observations: Float64Array | number[], focal_mm: number, options: Given<OrientationOptions>, weights?: Float64Array | number[] | null): RelativeOrientation;
+export function orient_relative(observations: Float64Array | readonly number[], focal_mm: number, options: Given<OrientationOptions>, weights?: Float64Array | readonly number[] | null): RelativeOrientation;
 
 /**
  * The cameras of a pair, the given one or those of its files, with what speaks against them; or what is missing.
@@ -5743,7 +5810,12 @@ export function parse_ground_control_points(text: string): GroundControlRow[];
  * Reads where images show surveyed points: lines of image, point, x, y in px. `images`: names of images, which stand in the rows where the
  * table means them, by other capitals, with a folder or without their ending.
  */
-export function parse_image_measurements(text: string, images?: string[] | null): ImageMeasurementRow[];
+export function parse_image_measurements(text: string, images?: readonly string[] | null): ImageMeasurementRow[];
+
+/**
+ * Reads GNSS positions of images: lines of image, longitude, latitude and height, or of image, x, y and height, and perhaps two standard errors.
+ */
+export function parse_image_positions(text: string): ImagePositions;
 
 /**
  * Reads photo coordinates: columns x_left_mm, y_left_mm, x_right_mm, y_right_mm; stride 4.
@@ -5758,7 +5830,7 @@ export function photo_camera(camera: Camera): CameraMm;
 /**
  * The tables of images that were placed: of the images, and of their links.
  */
-export function placed_tables(names: string[], placed: readonly PlacedImage[]): { placed: string; links: string };
+export function placed_tables(names: readonly string[], placed: readonly PlacedImage[]): { placed: string; links: string };
 
 /**
  * Their defaults.
@@ -5778,7 +5850,13 @@ export function planned_files(names: readonly string[], formats: readonly Export
 /**
  * Writes points (stride 3) as CSV.
  */
-export function points_csv(points: Float64Array | number[]): string;
+export function points_csv(points: Float64Array | readonly number[]): string;
+
+/**
+ * The GNSS position that a table gives to each image, by their names; null where it gives none. Refuses a table that a run of these images would refuse.
+ * Heights in a coordinate reference system whose geoid is a file count from its zero here.
+ */
+export function positions_of_images(text: string, names: readonly string[], placing: GeoreferencingOptions): (GivenPosition | null)[];
 
 /**
  * What a project file holds, by its first kilobyte; null for what is no project.
@@ -5819,7 +5897,7 @@ export function score_block(model: BlockModel, truth: BlockModel): BlockScore;
 /**
  * Scores matches (stride 5) of left points (stride 3) by the truth of a simulated pair.
  */
-export function score_matches(matches: Float64Array | number[], left_points: Float64Array | number[], right_position: Float32Array | number[], left_width: number, left_height: number, right_width: number, right_height: number): MatchScore;
+export function score_matches(matches: Float64Array | readonly number[], left_points: Float64Array | readonly number[], right_position: Float32Array | readonly number[], left_width: number, left_height: number, right_width: number, right_height: number): MatchScore;
 
 /**
  * SHA-256 (FIPS 180-4) of bytes: 32 bytes.
@@ -5835,12 +5913,12 @@ export function simulate(flight: Given<Flight>): SamplePair;
  * Coordinates in a system (an EPSG code, PROJ text or WKT) of longitudes, latitudes in degrees and heights in m (stride 3): x, east or longitude,
  * first; NaN outside the system, an error where the median of the places lies there.
  */
-export function system_coordinates(crs: string, geographic: Float64Array | number[]): Float64Array;
+export function system_coordinates(crs: string, geographic: Float64Array | readonly number[]): Float64Array;
 
 /**
  * The way back: longitudes, latitudes and heights of coordinates in a system (stride 3).
  */
-export function system_positions(crs: string, coordinates: Float64Array | number[]): Float64Array;
+export function system_positions(crs: string, coordinates: Float64Array | readonly number[]): Float64Array;
 
 /**
  * Throws a panic as an error named `Panic`, which is a bug: a trap without one is memory that ran out.
@@ -5850,7 +5928,7 @@ export function throw_panics(): void;
 /**
  * The geometry of two images from matches x, y left, x, y right in px (stride 4), of which many may be wrong.
  */
-export function two_view(points: Float64Array | number[], options: Given<TwoViewOptions>): TwoViewResult;
+export function two_view(points: Float64Array | readonly number[], options: Given<TwoViewOptions>): TwoViewResult;
 
 /**
  * The version of the crate.
@@ -5891,44 +5969,44 @@ export interface InitOutput {
     readonly blockscene_photo: (a: number, b: number) => [number, number, number];
     readonly blockscene_photo_file: (a: number, b: number) => [number, number, number, number];
     readonly blockscene_photos: (a: number) => number;
-    readonly blockscene_surface_at: (a: number, b: number, c: number, d: number) => [number, number, number];
+    readonly blockscene_surface_at: (a: number, b: number, c: any) => [number, number, number];
     readonly blockscene_truth: (a: number) => any;
     readonly blockwriting_step: (a: number, b: any) => [number, number, number];
     readonly call_parameters: () => any;
     readonly camera_label: (a: any, b: number, c: number) => [number, number, number, number];
     readonly camera_of_exif: (a: any) => [number, number, number];
-    readonly camera_of_focal_px: (a: number) => any;
-    readonly candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
+    readonly camera_of_focal_px: (a: number) => [number, number, number];
+    readonly candidates: (a: number, b: any, c: any, d: any, e: any, f: any, g: any) => [number, number, number, number];
     readonly check_block_truth: (a: any, b: any) => [number, number];
-    readonly check_cameras: (a: number, b: number, c: number, d: number) => [number, number];
-    readonly check_control: (a: number, b: number, c: number, d: number, e: number, f: number, g: any, h: number) => [number, number];
+    readonly check_cameras: (a: any, b: any) => [number, number];
+    readonly check_control: (a: any, b: any, c: any, d: any, e: number) => [number, number];
     readonly check_flight: (a: any) => [number, number];
-    readonly check_geoid: (a: number, b: number, c: any) => [number, number];
+    readonly check_geoid: (a: any, b: any) => [number, number];
     readonly check_heights: (a: any, b: any) => [number, number];
     readonly connected_groups: (a: number, b: any) => [number, number, number];
     readonly constant_offset: (a: number, b: number) => [number, number, number];
     readonly defaults: () => any;
-    readonly draw_match_lines: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number, m: number, n: number) => [number, number, number];
-    readonly draw_points: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number) => [number, number, number];
-    readonly draw_vectors: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number) => [number, number, number];
+    readonly draw_match_lines: (a: any, b: any, c: any, d: any, e: any, f: any, g: any, h: number) => [number, number, number];
+    readonly draw_points: (a: any, b: any, c: any, d: any, e: any, f: any) => [number, number, number];
+    readonly draw_vectors: (a: any, b: any, c: any, d: any, e: any, f: number, g: any) => [number, number, number];
     readonly epipolar_line: (a: any, b: number, c: number, d: any, e: any, f: number, g: number) => [number, number, number, number];
     readonly epipolarpair_contents: (a: number) => any;
     readonly epipolarpair_geometry: (a: number) => any;
     readonly epipolarpair_is_swapped: (a: number) => number;
     readonly epipolarpair_names: (a: number) => [number, number];
-    readonly epipolarpair_open: (a: any, b: number, c: number) => [number, number, number];
+    readonly epipolarpair_open: (a: any, b: number) => [number, number, number];
     readonly epipolarpair_resample: (a: number, b: number, c: number) => [number, number, number];
     readonly epipolarpair_resample_files: (a: number, b: any, c: any) => [number, number, number];
     readonly estimate_offset: (a: any, b: any) => [number, number, number];
-    readonly execute_job: (a: number, b: number, c: any) => [number, number, number, number];
+    readonly execute_job: (a: any, b: any) => [number, number, number, number];
     readonly export_formats: () => any;
     readonly feature_defaults: () => any;
-    readonly film_cameras: (a: number, b: number, c: any, d: any) => [number, number, number];
+    readonly film_cameras: (a: any, b: any, c: any) => [number, number, number];
     readonly film_frame: (a: any, b: any, c: any) => [number, number, number];
     readonly film_measurements: (a: any, b: any) => [number, number, number];
     readonly film_pattern: (a: any, b: any) => [number, number, number, number];
     readonly film_pixel_mm: (a: any) => [number, number, number];
-    readonly film_positions: (a: any, b: number, c: number, d: number, e: number) => [number, number, number];
+    readonly film_positions: (a: any, b: any, c: any) => [number, number, number];
     readonly finishedblock_accuracy: (a: number, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly finishedblock_carried_edits: (a: number, b: number) => [number, number, number];
     readonly finishedblock_covariances: (a: number, b: any) => [number, number, number, number];
@@ -5951,33 +6029,33 @@ export interface InitOutput {
     readonly flight_parameters: () => any;
     readonly flight_preset: (a: any) => [number, number, number];
     readonly flight_presets: () => any;
-    readonly geographic_positions: (a: number, b: number) => [number, number, number];
+    readonly geographic_positions: (a: any) => [number, number, number];
     readonly gradient_candidates: (a: number, b: any, c: any, d: number) => [number, number, number, number];
     readonly grey_png: (a: number, b: number, c: any, d: any) => [number, number, number, number];
     readonly image_measurement_table: (a: any) => [number, number, number, number];
     readonly image_position: (a: any) => [number, number, number];
     readonly interior: (a: any, b: any) => [number, number, number];
     readonly join_nearest: (a: any, b: any) => [number, number, number];
-    readonly local_positions: (a: number, b: number) => [number, number, number];
-    readonly masks_of_images: (a: number, b: number, c: number, d: number) => [number, number, number, number];
+    readonly local_positions: (a: any) => [number, number, number];
+    readonly masks_of_images: (a: any, b: any) => [number, number, number, number];
     readonly match_described_pair: (a: number, b: number, c: any, d: any, e: any, f: any, g: any) => [number, number, number];
     readonly match_descriptors: (a: any, b: any, c: any) => [number, number, number];
-    readonly match_features: (a: number, b: number, c: any, d: number, e: number, f: any, g: any) => [number, number, number];
-    readonly match_guided_descriptors: (a: number, b: number, c: any, d: number, e: number, f: any, g: any, h: any) => [number, number, number];
+    readonly match_features: (a: any, b: any, c: any, d: any, e: any) => [number, number, number];
+    readonly match_guided_descriptors: (a: any, b: any, c: any, d: any, e: any, f: any) => [number, number, number];
     readonly match_pair: (a: number, b: number, c: any, d: any, e: number, f: number) => [number, number, number];
     readonly match_photos: (a: number, b: number, c: any, d: any, e: any, f: any, g: any, h: any) => [number, number, number];
-    readonly match_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
-    readonly matches_csv: (a: number, b: number) => [number, number, number, number];
-    readonly message: (a: number, b: number, c: any, d: number, e: number, f: number, g: number) => [number, number, number, number];
-    readonly model_points: (a: number, b: number, c: number, d: any, e: number, f: number, g: number) => [number, number, number, number];
-    readonly model_points_csv: (a: number, b: number) => [number, number, number, number];
+    readonly match_points: (a: any, b: any, c: any, d: any, e: any, f: any) => [number, number, number];
+    readonly matches_csv: (a: any) => [number, number, number, number];
+    readonly message: (a: any, b: any, c: number, d: number) => [number, number, number, number];
+    readonly model_points: (a: any, b: number, c: any, d: number, e: number) => [number, number, number, number];
+    readonly model_points_csv: (a: any) => [number, number, number, number];
     readonly nearest_piece: (a: any, b: number, c: number, d: any) => [number, number, number];
-    readonly observations: (a: number, b: number, c: any, d: any) => [number, number, number, number];
-    readonly one_image: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
+    readonly observations: (a: any, b: any, c: any) => [number, number, number, number];
+    readonly one_image: (a: any, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly open_pair_project: (a: any) => [number, number, number];
     readonly orient_fiducials: (a: any, b: any) => [number, number, number];
-    readonly orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any, g: any) => [number, number, number];
-    readonly orient_relative: (a: number, b: number, c: number, d: any, e: number, f: number) => [number, number, number];
+    readonly orient_matches: (a: any, b: any, c: any, d: any, e: any) => [number, number, number];
+    readonly orient_relative: (a: any, b: number, c: any, d: number) => [number, number, number];
     readonly orthomosaic_add: (a: number, b: number, c: any) => [number, number, number, number];
     readonly orthomosaic_finish: (a: number) => [number, number, number];
     readonly orthomosaic_heights: (a: number) => [number, number, number, number];
@@ -5987,17 +6065,17 @@ export interface InitOutput {
     readonly orthomosaic_order: (a: number) => [number, number];
     readonly orthomosaic_remark: (a: number) => any;
     readonly orthomosaic_size: (a: number) => [number, number];
-    readonly orthophotoreference_adjust: (a: number, b: number, c: number, d: any, e: any) => [number, number, number];
+    readonly orthophotoreference_adjust: (a: number, b: any, c: any, d: any) => [number, number, number];
     readonly orthophotoreference_colours: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
     readonly orthophotoreference_control_by_hand: (a: number, b: any) => [number, number, number];
     readonly orthophotoreference_elsewhere: (a: number, b: any, c: any) => [number, number, number];
-    readonly orthophotoreference_ground_positions: (a: number, b: any, c: number, d: number) => [number, number, number, number];
-    readonly orthophotoreference_heights_at: (a: number, b: number, c: number) => [number, number, number, number];
-    readonly orthophotoreference_image_positions: (a: number, b: any, c: number, d: number) => [number, number, number, number];
+    readonly orthophotoreference_ground_positions: (a: number, b: any, c: any) => [number, number, number, number];
+    readonly orthophotoreference_heights_at: (a: number, b: any) => [number, number, number, number];
+    readonly orthophotoreference_image_positions: (a: number, b: any, c: any) => [number, number, number, number];
     readonly orthophotoreference_info: (a: number) => any;
     readonly orthophotoreference_open: (a: any, b: any) => [number, number, number];
     readonly orthophotoreference_picture: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
-    readonly orthophotoreference_place: (a: number, b: number, c: number, d: any, e: number, f: number, g: any) => [number, number, number];
+    readonly orthophotoreference_place: (a: number, b: any, c: any, d: number, e: any) => [number, number, number];
     readonly orthophotoreference_rectified: (a: number, b: any, c: any) => [number, number, number, number];
     readonly orthophotoreference_search: (a: number, b: any) => [number, number, number];
     readonly orthophotoreference_set_heights: (a: number, b: any, c: any) => [number, number];
@@ -6007,15 +6085,16 @@ export interface InitOutput {
     readonly pair_presets: () => any;
     readonly paper: () => any;
     readonly parameters: () => any;
-    readonly parse_camera: (a: number, b: number) => [number, number, number];
-    readonly parse_camera_rules: (a: number, b: number) => [number, number, number];
-    readonly parse_fiducials: (a: number, b: number) => [number, number, number];
-    readonly parse_ground_control_points: (a: number, b: number) => [number, number, number];
-    readonly parse_image_measurements: (a: number, b: number, c: number, d: number) => [number, number, number];
-    readonly parse_observations: (a: number, b: number) => [number, number, number, number];
+    readonly parse_camera: (a: any) => [number, number, number];
+    readonly parse_camera_rules: (a: any) => [number, number, number];
+    readonly parse_fiducials: (a: any) => [number, number, number];
+    readonly parse_ground_control_points: (a: any) => [number, number, number];
+    readonly parse_image_measurements: (a: any, b: number) => [number, number, number];
+    readonly parse_image_positions: (a: any) => [number, number, number];
+    readonly parse_observations: (a: any) => [number, number, number, number];
     readonly photo_camera: (a: any) => [number, number, number];
     readonly photo_decode: (a: any) => [number, number, number];
-    readonly photo_describe: (a: number, b: number, c: number, d: any, e: any) => [number, number, number, number];
+    readonly photo_describe: (a: number, b: any, c: any, d: any) => [number, number, number, number];
     readonly photo_describe_points: (a: number, b: any, c: number) => [number, number, number];
     readonly photo_detect: (a: number, b: any, c: number) => [number, number, number];
     readonly photo_features: (a: number, b: any, c: number) => [number, number, number];
@@ -6026,14 +6105,15 @@ export interface InitOutput {
     readonly photo_reduced: (a: number, b: number) => [number, number, number];
     readonly photo_width: (a: number) => number;
     readonly photo_window_moments: (a: number, b: number, c: number, d: any) => [number, number, number];
-    readonly placed_tables: (a: number, b: number, c: any) => [number, number, number];
+    readonly placed_tables: (a: any, b: any) => [number, number, number];
     readonly placing_defaults: () => any;
     readonly placing_parameters: () => any;
     readonly planned_files: (a: any, b: any) => [number, number, number, number];
-    readonly points_csv: (a: number, b: number) => [number, number, number, number];
+    readonly points_csv: (a: any) => [number, number, number, number];
+    readonly positions_of_images: (a: any, b: any, c: any) => [number, number, number];
     readonly project_kind: (a: any) => [number, number, number];
     readonly read_exif: (a: any, b: number, c: number) => [number, number, number];
-    readonly refused_kind: (a: number, b: number, c: any) => [number, number, number];
+    readonly refused_kind: (a: any, b: any) => [number, number, number];
     readonly report_html: (a: number) => [number, number, number, number];
     readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any, g: number, h: number) => [number, number, number];
     readonly report_step: (a: number) => [number, number, number];
@@ -6047,19 +6127,19 @@ export interface InitOutput {
     readonly run_new: (a: any) => [number, number, number];
     readonly run_news: (a: number) => any;
     readonly run_next: (a: number, b: number) => [number, number, number];
-    readonly run_prepare: (a: number, b: number, c: number, d: number) => [number, number, number];
+    readonly run_prepare: (a: number, b: number, c: any) => [number, number, number];
     readonly scaled_interior: (a: any, b: number) => [number, number, number];
     readonly score_block: (a: any, b: any) => [number, number, number];
-    readonly score_matches: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number) => [number, number, number];
+    readonly score_matches: (a: any, b: any, c: any, d: number, e: number, f: number, g: number) => [number, number, number];
     readonly sha256: (a: any) => [number, number, number, number];
     readonly simulate: (a: any) => [number, number, number];
-    readonly system_coordinates: (a: number, b: number, c: number, d: number) => [number, number, number];
-    readonly system_positions: (a: number, b: number, c: number, d: number) => [number, number, number];
+    readonly system_coordinates: (a: any, b: any) => [number, number, number];
+    readonly system_positions: (a: any, b: any) => [number, number, number];
     readonly throw_panics: () => void;
-    readonly two_view: (a: number, b: number, c: any) => [number, number, number];
+    readonly two_view: (a: any, b: any) => [number, number, number];
     readonly version: () => [number, number];
     readonly write_pair_project: (a: any) => [number, number, number, number];
-    readonly wasm_bindgen__convert__closures_____invoke__h5459b51d709cd917: (a: number, b: number, c: any, d: any) => any;
+    readonly wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4: (a: number, b: number, c: any, d: any) => [number, number, number];
     readonly __wbindgen_malloc: (a: number, b: number) => number;
     readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
     readonly __wbindgen_free: (a: number, b: number, c: number) => void;

@@ -136,14 +136,11 @@ export class BlockScene {
     /**
      * Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
      * @param {number} index
-     * @param {Float64Array | number[]} positions
+     * @param {Float64Array | readonly number[]} positions
      * @returns {Float64Array}
      */
     surface_at(index, positions) {
-        const val2 = +index;
-        const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.blockscene_surface_at(this.__wbg_ptr, val2, ptr0, len0);
+        const ret = wasm.blockscene_surface_at(this.__wbg_ptr, index, positions);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -254,13 +251,11 @@ export class EpipolarPair {
      * Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
      * that order in which the base goes to the right.
      * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} project
-     * @param {string[] | null} [names]
+     * @param {readonly string[] | null} [names]
      * @returns {EpipolarPair}
      */
     static open(project, names) {
-        var ptr0 = isLikeNone(names) ? 0 : passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-        var len0 = WASM_VECTOR_LEN;
-        const ret = wasm.epipolarpair_open(project, ptr0, len0);
+        const ret = wasm.epipolarpair_open(project, isLikeNone(names) ? 0 : addToExternrefTable0(names));
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -726,9 +721,7 @@ export class OrthophotoReference {
      * @returns {PlacedImage}
      */
     adjust(name, file, given) {
-        const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, ptr0, len0, file, given);
+        const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, name, file, given);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -782,52 +775,46 @@ export class OrthophotoReference {
     /**
      * The ground X, Y, Z, stride 3, that positions of a placed image show, stride 2; no numbers where they show none.
      * @param {Placement} placement
-     * @param {Float64Array | number[]} positions
+     * @param {Float64Array | readonly number[]} positions
      * @returns {Float64Array}
      */
     ground_positions(placement, positions) {
-        const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.orthophotoreference_ground_positions(this.__wbg_ptr, placement, ptr0, len0);
+        const ret = wasm.orthophotoreference_ground_positions(this.__wbg_ptr, placement, positions);
         if (ret[3]) {
             throw takeFromExternrefTable0(ret[2]);
         }
-        var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+        var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
         wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-        return v2;
+        return v1;
     }
     /**
      * The heights of places X, Y, stride 2; no number where there is none.
-     * @param {Float64Array | number[]} places
+     * @param {Float64Array | readonly number[]} places
      * @returns {Float64Array}
      */
     heights_at(places) {
-        const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.orthophotoreference_heights_at(this.__wbg_ptr, ptr0, len0);
+        const ret = wasm.orthophotoreference_heights_at(this.__wbg_ptr, places);
         if (ret[3]) {
             throw takeFromExternrefTable0(ret[2]);
         }
-        var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+        var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
         wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-        return v2;
+        return v1;
     }
     /**
      * Where places X, Y of the ground, stride 2, are in a placed image: x and y in px, stride 2, no numbers where it does not show them.
      * @param {Placement} placement
-     * @param {Float64Array | number[]} places
+     * @param {Float64Array | readonly number[]} places
      * @returns {Float64Array}
      */
     image_positions(placement, places) {
-        const ptr0 = passArrayF64ToWasm0(places, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.orthophotoreference_image_positions(this.__wbg_ptr, placement, ptr0, len0);
+        const ret = wasm.orthophotoreference_image_positions(this.__wbg_ptr, placement, places);
         if (ret[3]) {
             throw takeFromExternrefTable0(ret[2]);
         }
-        var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+        var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
         wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-        return v2;
+        return v1;
     }
     /**
      * Size, place and heights.
@@ -882,18 +869,7 @@ export class OrthophotoReference {
      * @returns {PlacedImage}
      */
     place(name, file, cameras, film) {
-        let ptr0, len0, ptr1, len1;
-        try {
-            ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-            len0 = WASM_VECTOR_LEN;
-            ptr1 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-            len1 = WASM_VECTOR_LEN;
-        } catch (e) {
-            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-            throw e;
-        }
-        const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, file, ptr1, len1, film);
+        const ret = wasm.orthophotoreference_place(this.__wbg_ptr, name, file, isLikeNone(cameras) ? 0 : addToExternrefTable0(cameras), film);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -976,21 +952,19 @@ export class Photo {
     /**
      * Describes points (stride 3) by the seven numbers each that a strategy compares; NaN where a window leaves the image or is constant.
      * Empty for the strategies that compare grey values.
-     * @param {Float64Array | number[]} point_list
+     * @param {Float64Array | readonly number[]} point_list
      * @param {Given<WindowOptions>} window
      * @param {Strategy} strategy
      * @returns {Float64Array}
      */
     describe(point_list, window, strategy) {
-        const ptr0 = passArrayF64ToWasm0(point_list, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.photo_describe(this.__wbg_ptr, ptr0, len0, window, strategy);
+        const ret = wasm.photo_describe(this.__wbg_ptr, point_list, window, strategy);
         if (ret[3]) {
             throw takeFromExternrefTable0(ret[2]);
         }
-        var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+        var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
         wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-        return v2;
+        return v1;
     }
     /**
      * Finds interest points and describes them as the strategy of the settings needs it.
@@ -1287,14 +1261,11 @@ export class Run {
     /**
      * What is to be done for a job whose files have these digests, SHA-256 in hexadecimal digits.
      * @param {number} id
-     * @param {string[]} digests
+     * @param {readonly string[]} digests
      * @returns {Work}
      */
     prepare(id, digests) {
-        const val2 = +id;
-        const ptr0 = passArrayJsValueToWasm0(digests, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.run_prepare(this.__wbg_ptr, val2, ptr0, len0);
+        const ret = wasm.run_prepare(this.__wbg_ptr, id, digests);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -1443,46 +1414,31 @@ export function camera_of_exif(exif) {
  */
 export function camera_of_focal_px(focal_px) {
     const ret = wasm.camera_of_focal_px(focal_px);
-    return ret;
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
  * The candidates of one left point, the best first: index of the right point and measure, stride 2.
  * @param {number} index
- * @param {Float64Array | number[]} left_points
- * @param {Float64Array | number[]} left_descriptors
- * @param {Float64Array | number[]} right_points
- * @param {Float64Array | number[]} right_descriptors
+ * @param {Float64Array | readonly number[]} left_points
+ * @param {Float64Array | readonly number[]} left_descriptors
+ * @param {Float64Array | readonly number[]} right_points
+ * @param {Float64Array | readonly number[]} right_descriptors
  * @param {OffsetField} offset
  * @param {Given<MatchOptions>} options
  * @returns {Float64Array}
  */
 export function candidates(index, left_points, left_descriptors, right_points, right_descriptors, offset, options) {
-    const val5 = +index;
-    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
-    try {
-        ptr0 = passArrayF64ToWasm0(left_points, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayF64ToWasm0(left_descriptors, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-        ptr2 = passArrayF64ToWasm0(right_points, wasm.__wbindgen_malloc);
-        len2 = WASM_VECTOR_LEN;
-        ptr3 = passArrayF64ToWasm0(right_descriptors, wasm.__wbindgen_malloc);
-        len3 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr3) { wasm.__wbindgen_free(ptr3, len3 * 8, 8); }
-        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 8, 8); }
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
-        throw e;
-    }
-    const ret = wasm.candidates(val5, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, offset, options);
+    const ret = wasm.candidates(index, left_points, left_descriptors, right_points, right_descriptors, offset, options);
     if (ret[3]) {
         throw takeFromExternrefTable0(ret[2]);
     }
-    var v6 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+    var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
     wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-    return v6;
+    return v1;
 }
 
 /**
@@ -1500,21 +1456,10 @@ export function check_block_truth(truth, names) {
 /**
  * Refuses a file of cameras that cannot be read, or fits no image of these names, where there are any.
  * @param {string} text
- * @param {string[]} names
+ * @param {readonly string[]} names
  */
 export function check_cameras(text, names) {
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__externref_drop_slice(ptr1, len1); wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-        throw e;
-    }
-    const ret = wasm.check_cameras(ptr0, len0, ptr1, len1);
+    const ret = wasm.check_cameras(text, names);
     if (ret[1]) {
         throw takeFromExternrefTable0(ret[0]);
     }
@@ -1525,26 +1470,12 @@ export function check_cameras(text, names) {
  * whether one places the block afterwards.
  * @param {string} points
  * @param {string} marks
- * @param {string[]} names
+ * @param {readonly string[]} names
  * @param {GeoreferencingOptions} placing
  * @param {boolean | null} [on_orthophoto]
  */
 export function check_control(points, marks, names, placing, on_orthophoto) {
-    let ptr0, len0, ptr1, len1, ptr2, len2;
-    try {
-        ptr0 = passStringToWasm0(points, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passStringToWasm0(marks, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        len1 = WASM_VECTOR_LEN;
-        ptr2 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-        len2 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr2) { wasm.__externref_drop_slice(ptr2, len2); wasm.__wbindgen_free(ptr2, len2 * 4, 4); }
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-        throw e;
-    }
-    const ret = wasm.check_control(ptr0, len0, ptr1, len1, ptr2, len2, placing, isLikeNone(on_orthophoto) ? 0xFFFFFF : on_orthophoto ? 1 : 0);
+    const ret = wasm.check_control(points, marks, names, placing, isLikeNone(on_orthophoto) ? 0xFFFFFF : on_orthophoto ? 1 : 0);
     if (ret[1]) {
         throw takeFromExternrefTable0(ret[0]);
     }
@@ -1567,9 +1498,7 @@ export function check_flight(flight) {
  * @param {GeoreferencingOptions} placing
  */
 export function check_geoid(name, placing) {
-    const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.check_geoid(ptr0, len0, placing);
+    const ret = wasm.check_geoid(name, placing);
     if (ret[1]) {
         throw takeFromExternrefTable0(ret[0]);
     }
@@ -1630,41 +1559,17 @@ export function defaults() {
  * `matches`: stride 5, `x left, y left, x right, y right, measure` in px. `codes`: one a match, the index of its style; a code without
  * a style is not drawn. `widths` and `colours`: one a style. Views as of `draw_points`. Where more than `most` are in view, evenly many are drawn.
  * @param {CanvasRenderingContext2D} context
- * @param {Float64Array | number[]} matches
- * @param {Uint8Array | number[]} codes
- * @param {Float64Array | number[]} widths
- * @param {string[]} colours
- * @param {Float64Array | number[]} left_view
- * @param {Float64Array | number[]} right_view
+ * @param {Float64Array | readonly number[]} matches
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} codes
+ * @param {Float64Array | readonly number[]} widths
+ * @param {readonly string[]} colours
+ * @param {Float64Array | readonly number[]} left_view
+ * @param {Float64Array | readonly number[]} right_view
  * @param {number} most
  * @returns {number}
  */
 export function draw_match_lines(context, matches, codes, widths, colours, left_view, right_view, most) {
-    const val7 = +most;
-    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4, ptr5, len5;
-    try {
-        ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArray8ToWasm0(codes, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-        ptr2 = passArrayF64ToWasm0(widths, wasm.__wbindgen_malloc);
-        len2 = WASM_VECTOR_LEN;
-        ptr3 = passArrayJsValueToWasm0(colours, wasm.__wbindgen_malloc);
-        len3 = WASM_VECTOR_LEN;
-        ptr4 = passArrayF64ToWasm0(left_view, wasm.__wbindgen_malloc);
-        len4 = WASM_VECTOR_LEN;
-        ptr5 = passArrayF64ToWasm0(right_view, wasm.__wbindgen_malloc);
-        len5 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr5) { wasm.__wbindgen_free(ptr5, len5 * 8, 8); }
-        if (ptr4) { wasm.__wbindgen_free(ptr4, len4 * 8, 8); }
-        if (ptr3) { wasm.__externref_drop_slice(ptr3, len3); wasm.__wbindgen_free(ptr3, len3 * 4, 4); }
-        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 8, 8); }
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
-        throw e;
-    }
-    const ret = wasm.draw_match_lines(context, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4, ptr5, len5, val7);
+    const ret = wasm.draw_match_lines(context, matches, codes, widths, colours, left_view, right_view, most);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1681,35 +1586,15 @@ export function draw_match_lines(context, matches, codes, widths, colours, left_
  * units. Styles are drawn in order,
  * the last on top; where points crowd, some are left out.
  * @param {CanvasRenderingContext2D} context
- * @param {Float64Array | number[]} points
- * @param {Uint8Array | number[]} codes
- * @param {Float64Array | number[]} styles
- * @param {string[]} colours
- * @param {Float64Array | number[]} view
+ * @param {Float64Array | readonly number[]} points
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} codes
+ * @param {Float64Array | readonly number[]} styles
+ * @param {readonly string[]} colours
+ * @param {Float64Array | readonly number[]} view
  * @returns {number}
  */
 export function draw_points(context, points, codes, styles, colours, view) {
-    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4;
-    try {
-        ptr0 = passArrayF64ToWasm0(points, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArray8ToWasm0(codes, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-        ptr2 = passArrayF64ToWasm0(styles, wasm.__wbindgen_malloc);
-        len2 = WASM_VECTOR_LEN;
-        ptr3 = passArrayJsValueToWasm0(colours, wasm.__wbindgen_malloc);
-        len3 = WASM_VECTOR_LEN;
-        ptr4 = passArrayF64ToWasm0(view, wasm.__wbindgen_malloc);
-        len4 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr4) { wasm.__wbindgen_free(ptr4, len4 * 8, 8); }
-        if (ptr3) { wasm.__externref_drop_slice(ptr3, len3); wasm.__wbindgen_free(ptr3, len3 * 4, 4); }
-        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 8, 8); }
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
-        throw e;
-    }
-    const ret = wasm.draw_points(context, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4);
+    const ret = wasm.draw_points(context, points, codes, styles, colours, view);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1722,37 +1607,16 @@ export function draw_points(context, points, codes, styles, colours, view) {
  * `vectors`: stride 4, `x, y, dx, dy` in px of the image. `codes`: one a vector, the index of its style; a code without a style is not drawn.
  * `widths` and `colours`: one a style. `view`: as of `draw_points`.
  * @param {CanvasRenderingContext2D} context
- * @param {Float64Array | number[]} vectors
- * @param {Uint8Array | number[]} codes
- * @param {Float64Array | number[]} widths
- * @param {string[]} colours
+ * @param {Float64Array | readonly number[]} vectors
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} codes
+ * @param {Float64Array | readonly number[]} widths
+ * @param {readonly string[]} colours
  * @param {number} factor
- * @param {Float64Array | number[]} view
+ * @param {Float64Array | readonly number[]} view
  * @returns {number}
  */
 export function draw_vectors(context, vectors, codes, widths, colours, factor, view) {
-    const val6 = +factor;
-    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4;
-    try {
-        ptr0 = passArrayF64ToWasm0(vectors, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArray8ToWasm0(codes, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-        ptr2 = passArrayF64ToWasm0(widths, wasm.__wbindgen_malloc);
-        len2 = WASM_VECTOR_LEN;
-        ptr3 = passArrayJsValueToWasm0(colours, wasm.__wbindgen_malloc);
-        len3 = WASM_VECTOR_LEN;
-        ptr4 = passArrayF64ToWasm0(view, wasm.__wbindgen_malloc);
-        len4 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr4) { wasm.__wbindgen_free(ptr4, len4 * 8, 8); }
-        if (ptr3) { wasm.__externref_drop_slice(ptr3, len3); wasm.__wbindgen_free(ptr3, len3 * 4, 4); }
-        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 8, 8); }
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
-        throw e;
-    }
-    const ret = wasm.draw_vectors(context, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, val6, ptr4, len4);
+    const ret = wasm.draw_vectors(context, vectors, codes, widths, colours, factor, view);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1803,15 +1667,13 @@ export function estimate_offset(left, right) {
  * @returns {Uint8Array}
  */
 export function execute_job(task, inputs) {
-    const ptr0 = passStringToWasm0(task, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.execute_job(ptr0, len0, inputs);
+    const ret = wasm.execute_job(task, inputs);
     if (ret[3]) {
         throw takeFromExternrefTable0(ret[2]);
     }
-    var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+    var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
     wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
-    return v2;
+    return v1;
 }
 
 /**
@@ -1841,9 +1703,7 @@ export function feature_defaults() {
  * @returns {CameraRule[]}
  */
 export function film_cameras(pattern, rules, given) {
-    const ptr0 = passStringToWasm0(pattern, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.film_cameras(ptr0, len0, rules, given);
+    const ret = wasm.film_cameras(pattern, rules, given);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1922,23 +1782,12 @@ export function film_pixel_mm(film) {
  * Positions of a scan in its frame, or of a frame in its scan: x, y, x, y … in px, the centre of the top-left pixel at (0.5, 0.5). NaN where there is none,
  * as beside the frame. `to`: `frame` or `scan`.
  * @param {FilmScan} scan
- * @param {Float64Array | number[]} positions
+ * @param {Float64Array | readonly number[]} positions
  * @param {'frame' | 'scan'} to
  * @returns {Float64Array}
  */
 export function film_positions(scan, positions, to) {
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passStringToWasm0(to, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
-        throw e;
-    }
-    const ret = wasm.film_positions(scan, ptr0, len0, ptr1, len1);
+    const ret = wasm.film_positions(scan, positions, to);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1978,13 +1827,11 @@ export function flight_presets() {
 
 /**
  * Longitudes, latitudes and heights (stride 3) of positions in m east, north and up of an origin, which is their first row: of the others alone.
- * @param {Float64Array | number[]} positions
+ * @param {Float64Array | readonly number[]} positions
  * @returns {Float64Array}
  */
 export function geographic_positions(positions) {
-    const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.geographic_positions(ptr0, len0);
+    const ret = wasm.geographic_positions(positions);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2095,13 +1942,11 @@ export function join_nearest(pieces, options) {
 
 /**
  * Positions in m east, north and up of the first known one: of longitude, latitude in degrees and height in m (stride 3), NaN where not known.
- * @param {Float64Array | number[]} geographic
+ * @param {Float64Array | readonly number[]} geographic
  * @returns {Float64Array}
  */
 export function local_positions(geographic) {
-    const ptr0 = passArrayF64ToWasm0(geographic, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.local_positions(ptr0, len0);
+    const ret = wasm.local_positions(geographic);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2110,29 +1955,18 @@ export function local_positions(geographic) {
 
 /**
  * The index of the mask of each image, by their names; -1 for an image without one. Refuses two masks of one image.
- * @param {string[]} names
- * @param {string[]} masks
+ * @param {readonly string[]} names
+ * @param {readonly string[]} masks
  * @returns {Int32Array}
  */
 export function masks_of_images(names, masks) {
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayJsValueToWasm0(masks, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__externref_drop_slice(ptr1, len1); wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
-        if (ptr0) { wasm.__externref_drop_slice(ptr0, len0); wasm.__wbindgen_free(ptr0, len0 * 4, 4); }
-        throw e;
-    }
-    const ret = wasm.masks_of_images(ptr0, len0, ptr1, len1);
+    const ret = wasm.masks_of_images(names, masks);
     if (ret[3]) {
         throw takeFromExternrefTable0(ret[2]);
     }
-    var v3 = getArrayI32FromWasm0(ret[0], ret[1]).slice();
+    var v1 = getArrayI32FromWasm0(ret[0], ret[1]).slice();
     wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
-    return v3;
+    return v1;
 }
 
 /**
@@ -2175,26 +2009,15 @@ export function match_descriptors(left, right, options) {
 /**
  * Matches the features of two images (positions x, y in px, stride 2; 128 bytes each) by nearest descriptors, verified by the geometry of
  * the two views and completed along its lines. Where `options.geometry` names cameras, positions are those of cameras without distortion.
- * @param {Float64Array | number[]} left_positions
+ * @param {Float64Array | readonly number[]} left_positions
  * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} left_descriptors
- * @param {Float64Array | number[]} right_positions
+ * @param {Float64Array | readonly number[]} right_positions
  * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} right_descriptors
  * @param {Given<FeatureMatchOptions>} options
  * @returns {VerifiedMatches}
  */
 export function match_features(left_positions, left_descriptors, right_positions, right_descriptors, options) {
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passArrayF64ToWasm0(left_positions, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayF64ToWasm0(right_positions, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
-        throw e;
-    }
-    const ret = wasm.match_features(ptr0, len0, left_descriptors, ptr1, len1, right_descriptors, options);
+    const ret = wasm.match_features(left_positions, left_descriptors, right_positions, right_descriptors, options);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2203,27 +2026,16 @@ export function match_features(left_positions, left_descriptors, right_positions
 
 /**
  * Matches byte descriptors near the epipolar line, or the place, of each left point: positions x, y in px (stride 2), 128 bytes each.
- * @param {Float64Array | number[]} left_positions
+ * @param {Float64Array | readonly number[]} left_positions
  * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} left_descriptors
- * @param {Float64Array | number[]} right_positions
+ * @param {Float64Array | readonly number[]} right_positions
  * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} right_descriptors
  * @param {MatchGuide} guide
  * @param {Given<GuidedOptions>} options
  * @returns {DescriptorMatches}
  */
 export function match_guided_descriptors(left_positions, left_descriptors, right_positions, right_descriptors, guide, options) {
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passArrayF64ToWasm0(left_positions, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayF64ToWasm0(right_positions, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
-        throw e;
-    }
-    const ret = wasm.match_guided_descriptors(ptr0, len0, left_descriptors, ptr1, len1, right_descriptors, guide, options);
+    const ret = wasm.match_guided_descriptors(left_positions, left_descriptors, right_positions, right_descriptors, guide, options);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2278,33 +2090,16 @@ export function match_photos(left, right, left_points, right_points, offset, int
 
 /**
  * Matches described points: points of stride 3, descriptors of stride 7.
- * @param {Float64Array | number[]} left_points
- * @param {Float64Array | number[]} left_descriptors
- * @param {Float64Array | number[]} right_points
- * @param {Float64Array | number[]} right_descriptors
+ * @param {Float64Array | readonly number[]} left_points
+ * @param {Float64Array | readonly number[]} left_descriptors
+ * @param {Float64Array | readonly number[]} right_points
+ * @param {Float64Array | readonly number[]} right_descriptors
  * @param {OffsetField} offset
  * @param {Given<MatchOptions>} options
  * @returns {MatchResult}
  */
 export function match_points(left_points, left_descriptors, right_points, right_descriptors, offset, options) {
-    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
-    try {
-        ptr0 = passArrayF64ToWasm0(left_points, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayF64ToWasm0(left_descriptors, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-        ptr2 = passArrayF64ToWasm0(right_points, wasm.__wbindgen_malloc);
-        len2 = WASM_VECTOR_LEN;
-        ptr3 = passArrayF64ToWasm0(right_descriptors, wasm.__wbindgen_malloc);
-        len3 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr3) { wasm.__wbindgen_free(ptr3, len3 * 8, 8); }
-        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 8, 8); }
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
-        throw e;
-    }
-    const ret = wasm.match_points(ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, offset, options);
+    const ret = wasm.match_points(left_points, left_descriptors, right_points, right_descriptors, offset, options);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2313,27 +2108,25 @@ export function match_points(left_points, left_descriptors, right_points, right_
 
 /**
  * Writes matches (stride 5) as CSV.
- * @param {Float64Array | number[]} matches
+ * @param {Float64Array | readonly number[]} matches
  * @returns {string}
  */
 export function matches_csv(matches) {
-    let deferred3_0;
-    let deferred3_1;
+    let deferred2_0;
+    let deferred2_1;
     try {
-        const ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.matches_csv(ptr0, len0);
-        var ptr2 = ret[0];
-        var len2 = ret[1];
+        const ret = wasm.matches_csv(matches);
+        var ptr1 = ret[0];
+        var len1 = ret[1];
         if (ret[3]) {
-            ptr2 = 0; len2 = 0;
+            ptr1 = 0; len1 = 0;
             throw takeFromExternrefTable0(ret[2]);
         }
-        deferred3_0 = ptr2;
-        deferred3_1 = len2;
-        return getStringFromWasm0(ptr2, len2);
+        deferred2_0 = ptr1;
+        deferred2_1 = len1;
+        return getStringFromWasm0(ptr1, len1);
     } finally {
-        wasm.__wbindgen_free(deferred3_0, deferred3_1, 1);
+        wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
     }
 }
 
@@ -2347,35 +2140,21 @@ export function matches_csv(matches) {
  * @returns {string}
  */
 export function message(family, message, attribute, language) {
-    let deferred5_0;
-    let deferred5_1;
+    let deferred2_0;
+    let deferred2_1;
     try {
-        let ptr0, len0, ptr1, len1, ptr2, len2;
-        try {
-            ptr0 = passStringToWasm0(family, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-            len0 = WASM_VECTOR_LEN;
-            ptr1 = isLikeNone(attribute) ? 0 : passStringToWasm0(attribute, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-            len1 = WASM_VECTOR_LEN;
-            ptr2 = isLikeNone(language) ? 0 : passStringToWasm0(language, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-            len2 = WASM_VECTOR_LEN;
-        } catch (e) {
-            if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 1, 1); }
-            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
-            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-            throw e;
-        }
-        const ret = wasm.message(ptr0, len0, message, ptr1, len1, ptr2, len2);
-        var ptr4 = ret[0];
-        var len4 = ret[1];
+        const ret = wasm.message(family, message, isLikeNone(attribute) ? 0 : addToExternrefTable0(attribute), isLikeNone(language) ? 0 : addToExternrefTable0(language));
+        var ptr1 = ret[0];
+        var len1 = ret[1];
         if (ret[3]) {
-            ptr4 = 0; len4 = 0;
+            ptr1 = 0; len1 = 0;
             throw takeFromExternrefTable0(ret[2]);
         }
-        deferred5_0 = ptr4;
-        deferred5_1 = len4;
-        return getStringFromWasm0(ptr4, len4);
+        deferred2_0 = ptr1;
+        deferred2_1 = len1;
+        return getStringFromWasm0(ptr1, len1);
     } finally {
-        wasm.__wbindgen_free(deferred5_0, deferred5_1, 1);
+        wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
     }
 }
 
@@ -2383,59 +2162,46 @@ export function message(family, message, attribute, language) {
  * Object points of observations (stride 4) that are oriented as `orient_relative` does: X, Y, Z, their standard errors (NaN where there are
  * none), 1 where the observation took part and 0 where it was rejected; stride 7, NaN for parallel rays. `base`: the length of the base in
  * the unit that the points shall have; 1: the base is the unit.
- * @param {Float64Array | number[]} observations
+ * @param {Float64Array | readonly number[]} observations
  * @param {number} focal_mm
  * @param {Given<OrientationOptions>} options
  * @param {number} base
- * @param {Float64Array | number[] | null} [weights]
+ * @param {Float64Array | readonly number[] | null} [weights]
  * @returns {Float64Array}
  */
 export function model_points(observations, focal_mm, options, base, weights) {
-    const val3 = +focal_mm;
-    const val4 = +base;
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passArrayF64ToWasm0(observations, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = isLikeNone(weights) ? 0 : passArrayF64ToWasm0(weights, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
-        throw e;
-    }
-    const ret = wasm.model_points(ptr0, len0, val3, options, val4, ptr1, len1);
+    const val1 = +focal_mm;
+    const val2 = +base;
+    const ret = wasm.model_points(observations, val1, options, val2, isLikeNone(weights) ? 0 : addToExternrefTable0(weights));
     if (ret[3]) {
         throw takeFromExternrefTable0(ret[2]);
     }
-    var v5 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+    var v3 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
     wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-    return v5;
+    return v3;
 }
 
 /**
  * Writes object points of a pair (stride 7, as `model_points` gives them) as CSV.
- * @param {Float64Array | number[]} points
+ * @param {Float64Array | readonly number[]} points
  * @returns {string}
  */
 export function model_points_csv(points) {
-    let deferred3_0;
-    let deferred3_1;
+    let deferred2_0;
+    let deferred2_1;
     try {
-        const ptr0 = passArrayF64ToWasm0(points, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.model_points_csv(ptr0, len0);
-        var ptr2 = ret[0];
-        var len2 = ret[1];
+        const ret = wasm.model_points_csv(points);
+        var ptr1 = ret[0];
+        var len1 = ret[1];
         if (ret[3]) {
-            ptr2 = 0; len2 = 0;
+            ptr1 = 0; len1 = 0;
             throw takeFromExternrefTable0(ret[2]);
         }
-        deferred3_0 = ptr2;
-        deferred3_1 = len2;
-        return getStringFromWasm0(ptr2, len2);
+        deferred2_0 = ptr1;
+        deferred2_1 = len1;
+        return getStringFromWasm0(ptr1, len1);
     } finally {
-        wasm.__wbindgen_free(deferred3_0, deferred3_1, 1);
+        wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
     }
 }
 
@@ -2458,27 +2224,25 @@ export function nearest_piece(left, first, end, right) {
 
 /**
  * Photo coordinates x, y left, x, y right in mm (stride 4) of matches (stride 5).
- * @param {Float64Array | number[]} matches
+ * @param {Float64Array | readonly number[]} matches
  * @param {Interior} left
  * @param {Interior} right
  * @returns {Float64Array}
  */
 export function observations(matches, left, right) {
-    const ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.observations(ptr0, len0, left, right);
+    const ret = wasm.observations(matches, left, right);
     if (ret[3]) {
         throw takeFromExternrefTable0(ret[2]);
     }
-    var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+    var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
     wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-    return v2;
+    return v1;
 }
 
 /**
  * Why matches (stride 5) between images of these sizes in px have no base: they are one photo twice, or parts of one image. Null where
  * they are neither.
- * @param {Float64Array | number[]} matches
+ * @param {Float64Array | readonly number[]} matches
  * @param {number} left_width
  * @param {number} left_height
  * @param {number} right_width
@@ -2486,13 +2250,7 @@ export function observations(matches, left, right) {
  * @returns {NoOrientation | null}
  */
 export function one_image(matches, left_width, left_height, right_width, right_height) {
-    const val2 = +left_width;
-    const val3 = +left_height;
-    const val4 = +right_width;
-    const val5 = +right_height;
-    const ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.one_image(ptr0, len0, val2, val3, val4, val5);
+    const ret = wasm.one_image(matches, left_width, left_height, right_width, right_height);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2529,26 +2287,15 @@ export function orient_fiducials(fiducials, model) {
 /**
  * Relative orientation from matches (stride 5) with what least squares matching found of them (stride 5, as `MatchResult.fits`; empty: all
  * of weight 1), with the verdict on it. `points`: how many the left and the right image have, where they were matched. The total standard errors hold those of the interior orientations, where these have covariances.
- * @param {Float64Array | number[]} matches
- * @param {Float64Array | number[]} fits
+ * @param {Float64Array | readonly number[]} matches
+ * @param {Float64Array | readonly number[]} fits
  * @param {PairInterior} interior
  * @param {Given<OrientationOptions>} options
  * @param {[number, number]} [points]
  * @returns {OrientedPair}
  */
 export function orient_matches(matches, fits, interior, options, points) {
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayF64ToWasm0(fits, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
-        throw e;
-    }
-    const ret = wasm.orient_matches(ptr0, len0, ptr1, len1, interior, options, points);
+    const ret = wasm.orient_matches(matches, fits, interior, options, points);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2557,26 +2304,15 @@ export function orient_matches(matches, fits, interior, options, points) {
 
 /**
  * Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1.
- * @param {Float64Array | number[]} observations
+ * @param {Float64Array | readonly number[]} observations
  * @param {number} focal_mm
  * @param {Given<OrientationOptions>} options
- * @param {Float64Array | number[] | null} [weights]
+ * @param {Float64Array | readonly number[] | null} [weights]
  * @returns {RelativeOrientation}
  */
 export function orient_relative(observations, focal_mm, options, weights) {
-    const val3 = +focal_mm;
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passArrayF64ToWasm0(observations, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = isLikeNone(weights) ? 0 : passArrayF64ToWasm0(weights, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
-        throw e;
-    }
-    const ret = wasm.orient_relative(ptr0, len0, val3, options, ptr1, len1);
+    const val1 = +focal_mm;
+    const ret = wasm.orient_relative(observations, val1, options, isLikeNone(weights) ? 0 : addToExternrefTable0(weights));
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2658,9 +2394,7 @@ export function parameters() {
  * @returns {CameraMm}
  */
 export function parse_camera(json) {
-    const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.parse_camera(ptr0, len0);
+    const ret = wasm.parse_camera(json);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2673,9 +2407,7 @@ export function parse_camera(json) {
  * @returns {CameraRule[]}
  */
 export function parse_camera_rules(json) {
-    const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.parse_camera_rules(ptr0, len0);
+    const ret = wasm.parse_camera_rules(json);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2688,9 +2420,7 @@ export function parse_camera_rules(json) {
  * @returns {Fiducial[]}
  */
 export function parse_fiducials(csv) {
-    const ptr0 = passStringToWasm0(csv, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.parse_fiducials(ptr0, len0);
+    const ret = wasm.parse_fiducials(csv);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2703,9 +2433,7 @@ export function parse_fiducials(csv) {
  * @returns {GroundControlRow[]}
  */
 export function parse_ground_control_points(text) {
-    const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.parse_ground_control_points(ptr0, len0);
+    const ret = wasm.parse_ground_control_points(text);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2716,22 +2444,24 @@ export function parse_ground_control_points(text) {
  * Reads where images show surveyed points: lines of image, point, x, y in px. `images`: names of images, which stand in the rows where the
  * table means them, by other capitals, with a folder or without their ending.
  * @param {string} text
- * @param {string[] | null} [images]
+ * @param {readonly string[] | null} [images]
  * @returns {ImageMeasurementRow[]}
  */
 export function parse_image_measurements(text, images) {
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = isLikeNone(images) ? 0 : passArrayJsValueToWasm0(images, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__externref_drop_slice(ptr1, len1); wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-        throw e;
+    const ret = wasm.parse_image_measurements(text, isLikeNone(images) ? 0 : addToExternrefTable0(images));
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
     }
-    const ret = wasm.parse_image_measurements(ptr0, len0, ptr1, len1);
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Reads GNSS positions of images: lines of image, longitude, latitude and height, or of image, x, y and height, and perhaps two standard errors.
+ * @param {string} text
+ * @returns {ImagePositions}
+ */
+export function parse_image_positions(text) {
+    const ret = wasm.parse_image_positions(text);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2744,15 +2474,13 @@ export function parse_image_measurements(text, images) {
  * @returns {Float64Array}
  */
 export function parse_observations(csv) {
-    const ptr0 = passStringToWasm0(csv, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.parse_observations(ptr0, len0);
+    const ret = wasm.parse_observations(csv);
     if (ret[3]) {
         throw takeFromExternrefTable0(ret[2]);
     }
-    var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+    var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
     wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-    return v2;
+    return v1;
 }
 
 /**
@@ -2770,14 +2498,12 @@ export function photo_camera(camera) {
 
 /**
  * The tables of images that were placed: of the images, and of their links.
- * @param {string[]} names
+ * @param {readonly string[]} names
  * @param {readonly PlacedImage[]} placed
  * @returns {{ placed: string; links: string }}
  */
 export function placed_tables(names, placed) {
-    const ptr0 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.placed_tables(ptr0, len0, placed);
+    const ret = wasm.placed_tables(names, placed);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2820,28 +2546,42 @@ export function planned_files(names, formats) {
 
 /**
  * Writes points (stride 3) as CSV.
- * @param {Float64Array | number[]} points
+ * @param {Float64Array | readonly number[]} points
  * @returns {string}
  */
 export function points_csv(points) {
-    let deferred3_0;
-    let deferred3_1;
+    let deferred2_0;
+    let deferred2_1;
     try {
-        const ptr0 = passArrayF64ToWasm0(points, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.points_csv(ptr0, len0);
-        var ptr2 = ret[0];
-        var len2 = ret[1];
+        const ret = wasm.points_csv(points);
+        var ptr1 = ret[0];
+        var len1 = ret[1];
         if (ret[3]) {
-            ptr2 = 0; len2 = 0;
+            ptr1 = 0; len1 = 0;
             throw takeFromExternrefTable0(ret[2]);
         }
-        deferred3_0 = ptr2;
-        deferred3_1 = len2;
-        return getStringFromWasm0(ptr2, len2);
+        deferred2_0 = ptr1;
+        deferred2_1 = len1;
+        return getStringFromWasm0(ptr1, len1);
     } finally {
-        wasm.__wbindgen_free(deferred3_0, deferred3_1, 1);
+        wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
     }
+}
+
+/**
+ * The GNSS position that a table gives to each image, by their names; null where it gives none. Refuses a table that a run of these images would refuse.
+ * Heights in a coordinate reference system whose geoid is a file count from its zero here.
+ * @param {string} text
+ * @param {readonly string[]} names
+ * @param {GeoreferencingOptions} placing
+ * @returns {(GivenPosition | null)[]}
+ */
+export function positions_of_images(text, names, placing) {
+    const ret = wasm.positions_of_images(text, names, placing);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
@@ -2880,9 +2620,7 @@ export function read_exif(file, width, height) {
  * @returns {{ kind: string } | null}
  */
 export function refused_kind(name, start) {
-    const ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.refused_kind(ptr0, len0, start);
+    const ret = wasm.refused_kind(name, start);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2941,9 +2679,9 @@ export function score_block(model, truth) {
 
 /**
  * Scores matches (stride 5) of left points (stride 3) by the truth of a simulated pair.
- * @param {Float64Array | number[]} matches
- * @param {Float64Array | number[]} left_points
- * @param {Float32Array | number[]} right_position
+ * @param {Float64Array | readonly number[]} matches
+ * @param {Float64Array | readonly number[]} left_points
+ * @param {Float32Array | readonly number[]} right_position
  * @param {number} left_width
  * @param {number} left_height
  * @param {number} right_width
@@ -2951,25 +2689,7 @@ export function score_block(model, truth) {
  * @returns {MatchScore}
  */
 export function score_matches(matches, left_points, right_position, left_width, left_height, right_width, right_height) {
-    const val4 = +left_width;
-    const val5 = +left_height;
-    const val6 = +right_width;
-    const val7 = +right_height;
-    let ptr0, len0, ptr1, len1, ptr2, len2;
-    try {
-        ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayF64ToWasm0(left_points, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-        ptr2 = passArrayF32ToWasm0(right_position, wasm.__wbindgen_malloc);
-        len2 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 4, 4); }
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
-        throw e;
-    }
-    const ret = wasm.score_matches(ptr0, len0, ptr1, len1, ptr2, len2, val4, val5, val6, val7);
+    const ret = wasm.score_matches(matches, left_points, right_position, left_width, left_height, right_width, right_height);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -3008,22 +2728,11 @@ export function simulate(flight) {
  * Coordinates in a system (an EPSG code, PROJ text or WKT) of longitudes, latitudes in degrees and heights in m (stride 3): x, east or longitude,
  * first; NaN outside the system, an error where the median of the places lies there.
  * @param {string} crs
- * @param {Float64Array | number[]} geographic
+ * @param {Float64Array | readonly number[]} geographic
  * @returns {Float64Array}
  */
 export function system_coordinates(crs, geographic) {
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passStringToWasm0(crs, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayF64ToWasm0(geographic, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-        throw e;
-    }
-    const ret = wasm.system_coordinates(ptr0, len0, ptr1, len1);
+    const ret = wasm.system_coordinates(crs, geographic);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -3033,22 +2742,11 @@ export function system_coordinates(crs, geographic) {
 /**
  * The way back: longitudes, latitudes and heights of coordinates in a system (stride 3).
  * @param {string} crs
- * @param {Float64Array | number[]} coordinates
+ * @param {Float64Array | readonly number[]} coordinates
  * @returns {Float64Array}
  */
 export function system_positions(crs, coordinates) {
-    let ptr0, len0, ptr1, len1;
-    try {
-        ptr0 = passStringToWasm0(crs, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayF64ToWasm0(coordinates, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
-        throw e;
-    }
-    const ret = wasm.system_positions(ptr0, len0, ptr1, len1);
+    const ret = wasm.system_positions(crs, coordinates);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -3064,14 +2762,12 @@ export function throw_panics() {
 
 /**
  * The geometry of two images from matches x, y left, x, y right in px (stride 4), of which many may be wrong.
- * @param {Float64Array | number[]} points
+ * @param {Float64Array | readonly number[]} points
  * @param {Given<TwoViewOptions>} options
  * @returns {TwoViewResult}
  */
 export function two_view(points, options) {
-    const ptr0 = passArrayF64ToWasm0(points, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.two_view(ptr0, len0, options);
+    const ret = wasm.two_view(points, options);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -3128,6 +2824,14 @@ function __wbg_get_imports() {
             getDataViewMemory0().setInt32((arg0 >>> 0) + 4 * 1, len1, true);
             getDataViewMemory0().setInt32((arg0 >>> 0) + 4 * 0, ptr1, true);
         },
+        __wbg___wbindgen_is_bigint_5fa10641e039d3ef: function(arg0) {
+            const ret = typeof(arg0) === 'bigint';
+            return ret;
+        },
+        __wbg___wbindgen_is_function_741ff2bb612836f5: function(arg0) {
+            const ret = typeof(arg0) === 'function';
+            return ret;
+        },
         __wbg___wbindgen_is_null_c22311b1cc228e3a: function(arg0) {
             const ret = arg0 === null;
             return ret;
@@ -3135,6 +2839,10 @@ function __wbg_get_imports() {
         __wbg___wbindgen_is_object_8b968c3ab8e96595: function(arg0) {
             const val = arg0;
             const ret = typeof(val) === 'object' && val !== null;
+            return ret;
+        },
+        __wbg___wbindgen_is_symbol_f846131a047725ea: function(arg0) {
+            const ret = typeof(arg0) === 'symbol';
             return ret;
         },
         __wbg___wbindgen_is_undefined_be5b34249ff1fc15: function(arg0) {
@@ -3295,6 +3003,10 @@ function __wbg_get_imports() {
             const ret = new Array();
             return ret;
         },
+        __wbg_new_4416a2fe2fac9c65: function(arg0, arg1) {
+            const ret = new TypeError(getStringFromWasm0(arg0, arg1));
+            return ret;
+        },
         __wbg_new_68957d2a912dfa0a: function(arg0) {
             const ret = new Int32Array(arg0);
             return ret;
@@ -3397,8 +3109,8 @@ function __wbg_get_imports() {
             return ret;
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 1308, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
-            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h5459b51d709cd917);
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 16, ret: Result(Externref), inner_ret: Some(Result(Externref)) }, mutable: false }) -> Externref`.
+            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4);
             return ret;
         },
         __wbindgen_generic_0000000000000002: function(arg0) {
@@ -3426,9 +3138,12 @@ function __wbg_get_imports() {
     };
 }
 
-function wasm_bindgen__convert__closures_____invoke__h5459b51d709cd917(arg0, arg1, arg2, arg3) {
-    const ret = wasm.wasm_bindgen__convert__closures_____invoke__h5459b51d709cd917(arg0, arg1, arg2, arg3);
-    return ret;
+function wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3) {
+    const ret = wasm.wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 const BlockOnOrthophotoFinalization = (typeof FinalizationRegistry === 'undefined')
@@ -3470,7 +3185,9 @@ function addToExternrefTable0(obj) {
 
 function _assertClass(instance, klass) {
     if (!(instance instanceof klass)) {
-        throw new Error(`expected instance of ${klass.name}`);
+        const got = instance?.constructor?.name ?? (instance === null ? 'null' : typeof instance);
+        const error = { kind: 'invalid-argument', what: 'argument', got, wanted: klass.name };
+        throw Object.assign(new Error(message('error', error)), { name: 'TiepointError', code: 'invalid-input', usage: false, error });
     }
 }
 
@@ -3674,37 +3391,6 @@ function makeClosure(arg0, arg1, f) {
     };
     CLOSURE_DTORS.register(real, state, state);
     return real;
-}
-
-function passArray8ToWasm0(arg, malloc) {
-    const ptr = malloc(arg.length * 1, 1) >>> 0;
-    getUint8ArrayMemory0().set(arg, ptr / 1);
-    WASM_VECTOR_LEN = arg.length;
-    return ptr;
-}
-
-function passArrayF32ToWasm0(arg, malloc) {
-    const ptr = malloc(arg.length * 4, 4) >>> 0;
-    getFloat32ArrayMemory0().set(arg, ptr / 4);
-    WASM_VECTOR_LEN = arg.length;
-    return ptr;
-}
-
-function passArrayF64ToWasm0(arg, malloc) {
-    const ptr = malloc(arg.length * 8, 8) >>> 0;
-    getFloat64ArrayMemory0().set(arg, ptr / 8);
-    WASM_VECTOR_LEN = arg.length;
-    return ptr;
-}
-
-function passArrayJsValueToWasm0(array, malloc) {
-    const ptr = malloc(array.length * 4, 4) >>> 0;
-    for (let i = 0; i < array.length; i++) {
-        const add = addToExternrefTable0(array[i]);
-        getDataViewMemory0().setUint32(ptr + 4 * i, add, true);
-    }
-    WASM_VECTOR_LEN = array.length;
-    return ptr;
 }
 
 function passStringToWasm0(arg, malloc, realloc) {

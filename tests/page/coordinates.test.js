@@ -90,7 +90,7 @@ test('coordinates alone are taken; three points measured in two images each, wit
     await part(page, 'tab-block-surveyed').click();
     await useIs(page, name, /^control · measured in 2 images$/u);
   }
-  await status(page, /^3 control points are measured in two images or more/);
+  await status(page, /^3 points are measured in two images or more/);
   await page.screenshot({ path: join(SHOTS, 'coordinates-complete.png') });
   await part(page, 'block-next').click();
   await status(page, /^(Oriented|Weak orientation): /);
