@@ -34,18 +34,7 @@ type WithGiven = Pick<BlockState, 'files' | 'options' | 'marks' | 'shown' | 'pla
 export function problemsOf(state: WithGiven): Problems {
   const { files, options } = state;
   const { settings, cameras, control, marks, positions, masks, geoid } = options;
-  return problems(
-    files,
-    settings?.placing ?? null,
-    cameras,
-    control,
-    marks,
-    positions,
-    masks,
-    geoid,
-    collectedOf(state),
-    purposeOf(state) === 'block',
-  );
+  return problems(files, settings?.placing ?? null, cameras, control, marks, positions, masks, geoid, collectedOf(state), purposeOf(state) === 'block');
 }
 
 /** The first of them; null where there is none. */
