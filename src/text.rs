@@ -37,8 +37,13 @@ impl Records {
     }
 
     /// Whether commas separate, so that decimal commas would, too.
-    pub(crate) fn has_commas(&self) -> bool {
+    fn has_commas(&self) -> bool {
         self.separator == b','
+    }
+
+    /// Whether commas may have cut numbers in two, being meant as decimal commas: none of these has a point.
+    pub(crate) fn may_be_cut(&self, numbers: &[&str]) -> bool {
+        self.has_commas() && numbers.iter().all(|field| !field.contains(['.', ',']))
     }
 
     /// Whether blanks separate.

@@ -245,6 +245,11 @@ pub(super) fn names_of(column: Column) -> &'static str {
     NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known)
 }
 
+/// The units as tables write them.
+pub(super) fn units() -> Vec<&'static str> {
+    UNITS.iter().map(|(unit, _)| *unit).collect()
+}
+
 /// The unit of length that the name of a column has, in m: without one they are metres.
 pub(super) fn unit_m(name: &str) -> f64 {
     match named(name).1 {
@@ -301,7 +306,7 @@ impl<'a> Layout<'a> {
             let meanings = meanings(names);
             NEEDED.map(|(column, _)| place(names, &meanings, column))
         };
-        let Headed { names, rows, misplaced } = records.headed(needed, &UNITS.map(|(unit, _)| unit))?;
+        let Headed { names, rows, misplaced } = records.headed(needed, &units())?;
         if let Some(names) = names {
             return Ok(Self { columns: Columns::named_by(&names, needed(&names), rows)?, names: Some(names), rows });
         }

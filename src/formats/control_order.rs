@@ -2,7 +2,7 @@
 
 use crate::error::refuse;
 use crate::text::Records;
-use crate::{Error, Refusal};
+use crate::{Error, Input, Refusal};
 use csv::StringRecord;
 
 /// Largest standard error that is told from a coordinate, in m.
@@ -24,12 +24,12 @@ pub(super) fn errors_in_order(records: &Records) -> Result<Option<([usize; 2], u
         let refused = |refusal: fn(String, usize, usize) -> Refusal| refuse(refusal(records.shown(record), numbers.len(), *line));
         let of_errors: Vec<f64> = numbers.iter().skip(3).filter_map(|field| records.number(field)).collect();
         let are_small = of_errors.iter().all(|error| *error > 0.0 && *error <= MOST_ERROR_M);
-        if numbers.len() > WITH_THREE || (numbers.len() == WITH_THREE && (!are_small || is_whole(records, &numbers))) {
+        if numbers.len() > WITH_THREE || (numbers.len() == WITH_THREE && (!are_small || records.may_be_cut(&numbers))) {
             return refused(|record, numbers, line| Refusal::ControlNumbers { record, numbers, line, most_m: MOST_ERROR_M });
         }
         let may_be_figures = numbers.iter().skip(3).any(|field| has_figures(records, field));
-        if numbers.len() == WITH_TWO && is_whole(records, &numbers) && may_be_figures {
-            return refused(|record, _, line| Refusal::ControlDecimalCommas { record, line });
+        if numbers.len() == WITH_TWO && records.may_be_cut(&numbers) && may_be_figures {
+            return refused(|record, _, line| Refusal::DecimalCommas { input: Input::ControlTable, record, line });
         }
         // A name with a blank in it shifts what stands behind it.
         if records.has_blanks() && numbers.len() > 3 && !are_small {
@@ -41,11 +41,6 @@ pub(super) fn errors_in_order(records: &Records) -> Result<Option<([usize; 2], u
         WITH_THREE => Some(([4, 5], 6)),
         _ => Some(([4, 4], 5)).filter(|_| !has_code(records)),
     })
-}
-
-/// Whether commas may have cut numbers in two: none has a point.
-fn is_whole(records: &Records, numbers: &[&str]) -> bool {
-    records.has_commas() && numbers.iter().all(|field| !field.contains(['.', ',']))
 }
 
 fn has_figures(records: &Records, field: &str) -> bool {

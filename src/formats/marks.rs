@@ -108,8 +108,8 @@ fn check_fields(records: &Records) -> Result<(), Error> {
             return refuse(Refusal::BlankFields { input: Input::MarkTable, record: shown(), line, columns: IN_ORDER.len() });
         }
         let numbers: Vec<&str> = record.iter().skip(2).take_while(|field| records.number(field).is_some()).collect();
-        if records.has_commas() && numbers.len() > 2 && numbers.iter().all(|field| !field.contains(['.', ','])) {
-            return refuse(Refusal::MeasuredDecimalCommas { record: shown(), line });
+        if numbers.len() > 2 && records.may_be_cut(&numbers) {
+            return refuse(Refusal::DecimalCommas { input: Input::MarkTable, record: shown(), line });
         }
     }
     Ok(())

@@ -47,6 +47,13 @@ impl PositionColumns {
         }
     }
 
+    /// The columns of image, x and y that a line names, as far as it does.
+    pub fn needed(head: &StringRecord) -> [Option<usize>; 3] {
+        let meanings = meanings(head);
+        let first = |wanted: Column| meanings.iter().position(|meaning| *meaning == Some(wanted));
+        [image_column(head), first(Column::X), first(Column::Y)]
+    }
+
     /// The columns that a line names. Longitudes and latitudes are read where there are others beside them, with the height above the ellipsoid.
     pub fn named_by(records: &Records, head: &StringRecord) -> Result<Self, Error> {
         let meanings = meanings(head);
@@ -120,7 +127,7 @@ impl PositionColumns {
 }
 
 /// The column of images, where a line names one.
-pub(super) fn image_column(head: &StringRecord) -> Option<usize> {
+fn image_column(head: &StringRecord) -> Option<usize> {
     let plain: Vec<String> = head.iter().map(|name| letters(&without_unit(name, &[]).0)).collect();
     IMAGES.split(' ').chain(FURTHER.split(' ')).find_map(|name| plain.iter().position(|column| column == name))
 }

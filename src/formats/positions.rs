@@ -2,10 +2,10 @@
 
 use super::columns::UnreadColumns;
 use super::control::StatedUnit;
-use super::control_columns::Coordinates;
-use super::position_columns::{PositionColumns, image_column};
+use super::control_columns::{Coordinates, units};
+use super::position_columns::PositionColumns;
 use crate::error::refuse;
-use crate::text::{Records, records, shorten};
+use crate::text::{Headed, NumberedRecord, Records, records, shorten};
 use crate::{Error, Input, Refusal};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
@@ -71,50 +71,43 @@ pub(crate) struct PositionHead {
 /// # Errors
 /// As [`parse_image_positions`].
 pub(crate) fn position_head(text: &str) -> Result<PositionHead, Error> {
-    let Table { records, head, columns } = Table::read(text)?;
-    let stated_units = head.as_ref().map(|head| columns.stated_units(head)).unwrap_or_default();
-    Ok(PositionHead { unread: columns.unread(&records.rows[usize::from(head.is_some())..], head.as_ref()), stated_units })
+    let table = Table::read(text)?;
+    let (head, columns) = (table.head.as_ref(), &table.columns);
+    let stated_units = head.map(|head| columns.stated_units(head)).unwrap_or_default();
+    Ok(PositionHead { unread: columns.unread(table.rows(), head), stated_units })
 }
 
 struct Table {
     records: Records,
     /// The line of names, where there is one.
     head: Option<StringRecord>,
+    /// Of the records so many, the first, are no rows: titles, names, and their units.
+    above: usize,
     columns: PositionColumns,
 }
 
 impl Table {
     fn read(text: &str) -> Result<Self, Error> {
         let records = records(Input::PositionTable, text)?;
-        let is_row =
-            |record: &StringRecord| [1, 2].iter().all(|column| record.get(*column).is_some_and(|field| records.number(field).is_some()));
-        match records.rows.first().map(|(_, first)| first) {
-            Some(first) if !is_row(first) => {
-                let (columns, head) = (PositionColumns::named_by(&records, first)?, Some(first.clone()));
-                Ok(Self { records, head, columns })
-            }
-            Some(_) => {
-                let named = commented_head(text).map(|text| Self::read_named(&text)).transpose()?.flatten();
-                Ok(named.unwrap_or_else(|| Self { columns: PositionColumns::in_order(&records), records, head: None }))
-            }
-            None => Ok(Self { columns: PositionColumns::in_order(&records), records, head: None }),
+        let Headed { names, rows, misplaced } = records.headed(PositionColumns::needed, &units())?;
+        let above = records.rows.len() - rows.len();
+        let is_number = |field: Option<&str>| field.is_some_and(|field| records.number(field).is_some());
+        let is_in_order = || rows.first().is_none_or(|(_, first)| [1, 2].iter().all(|column| is_number(first.get(*column))));
+        if names.is_none() && misplaced.is_none() && is_in_order() {
+            check_in_order(&records)?;
+            return Ok(Self { columns: PositionColumns::in_order(&records), records, head: None, above });
         }
+        let shown = names.or(misplaced).or_else(|| records.likely_head(PositionColumns::needed).cloned()).unwrap_or_default();
+        Ok(Self { columns: PositionColumns::named_by(&records, &shown)?, records, head: Some(shown), above })
     }
 
-    /// The table whose first line may name its columns.
-    fn read_named(text: &str) -> Result<Option<Self>, Error> {
-        let records = records(Input::PositionTable, text)?;
-        let Some((_, head)) = records.rows.first().cloned() else { return Ok(None) };
-        if image_column(&head).is_none() {
-            return Ok(None);
-        }
-        // A comment may say anything.
-        Ok(PositionColumns::named_by(&records, &head).ok().map(|columns| Self { records, head: Some(head), columns }))
+    fn rows(&self) -> &[NumberedRecord] {
+        &self.records.rows[self.above..]
     }
 
     fn positions(&self) -> Result<ImagePositions, Error> {
-        let rows = self.records.rows.iter().skip(usize::from(self.head.is_some()));
-        let read = rows.map(|(line, record)| self.row(*line, record)).collect::<Result<Vec<Option<ImagePositionRow>>, Error>>()?;
+        let read =
+            self.rows().iter().map(|(line, record)| self.row(*line, record)).collect::<Result<Vec<Option<ImagePositionRow>>, Error>>()?;
         let mut rows: Vec<ImagePositionRow> = read.into_iter().flatten().collect();
         let is_geographic = match self.columns.coordinates {
             Some(Coordinates::Geographic) => true,
@@ -185,20 +178,18 @@ fn is_on_earth([longitude_deg, latitude_deg]: [f64; 2]) -> bool {
     longitude_deg.abs() <= 180.0 && latitude_deg.abs() <= 90.0
 }
 
-/// The text with the last comment before its first row as a line, as programs write the names of columns; absent where there is none.
-fn commented_head(text: &str) -> Option<String> {
-    let mut comment = None;
-    let mut place = text.len() - text.trim_start_matches('\u{feff}').len();
-    for line in text[place..].split_inclusive('\n') {
-        match line.starts_with('#') {
-            true => comment = Some(place),
-            false if line.trim().is_empty() => {}
-            false => break,
+/// More numbers than these have decimal points: rows without names have a place, a height, and perhaps what is behind it.
+const WHOLE_NUMBERS: usize = 3;
+
+/// Refuses rows without names whose commas may be decimal ones.
+fn check_in_order(records: &Records) -> Result<(), Error> {
+    for (line, record) in &records.rows {
+        let numbers: Vec<&str> = record.iter().skip(1).take_while(|field| records.number(field).is_some()).collect();
+        if numbers.len() > WHOLE_NUMBERS && records.may_be_cut(&numbers) {
+            return refuse(Refusal::DecimalCommas { input: Input::PositionTable, record: records.shown(record), line: *line });
         }
-        place += line.len();
     }
-    // A blank in its place leaves all lines where they are.
-    comment.map(|place| format!("{} {}", &text[..place], &text[place + 1..]))
+    Ok(())
 }
 
 #[cfg(test)]
@@ -215,6 +206,26 @@ mod tests {
 
     fn unread(text: &str) -> UnreadColumns {
         position_head(text).unwrap().unread
+    }
+
+    #[test]
+    fn titles_and_units_stand_about_the_names_and_commas_are_no_decimal_ones() {
+        let own = read("image,x,y,z\na.jpg,446833.25,5594521.5,171\n").rows[0].clone();
+        for text in [
+            "Flight of May\nimage,x,y,z\na.jpg,446833.25,5594521.5,171\n",
+            "image,x,y,z\n,m,m,m\na.jpg,446833.25,5594521.5,171\n",
+            "image x y z\na.jpg 446833.25 5594521.5 171\n",
+            "a.jpg 446833.25 5594521.5 171\n",
+        ] {
+            let row = read(text).rows[0].clone();
+            assert_eq!((row.place, row.height), (own.place, own.height), "{text}");
+        }
+        for text in ["image,x,y,z\na.jpg,446833,25,5594521,5,171,5\n", "a.jpg,446833,25,5594521,5,171,5\n"] {
+            let told = message(text);
+            assert!(told.starts_with("the table of image positions: got 'a.jpg,446833,25,") && told.contains("decimal commas"), "{told}");
+        }
+        // Whole metres are no halves of numbers.
+        assert_eq!(read("a.jpg,446833,5594521,171\n").rows[0].place, [446833.0, 5594521.0]);
     }
 
     #[test]
@@ -330,7 +341,7 @@ mod tests {
         let text = "Label,Longitude,Latitude,Altitude,Yaw,Pitch,Roll,Easting,Northing\na,8,50,100,1,2,3,400000,5500000\n";
         assert_eq!(unread(text).unknown, ["Yaw", "Pitch", "Roll"]);
         assert_eq!(unread(text).doubled, ["Easting (Longitude)", "Northing (Latitude)"]);
-        assert_eq!(unread("a,400000,5500000,100,1,2,3\n").unknown, ["#5", "#6", "#7"]);
+        assert_eq!(unread("a,400000.5,5500000,100,1,2,3\n").unknown, ["#5", "#6", "#7"]);
         let feet = position_head("image,easting (ft),northing (ft),height (m)\na,1400000,5500000,1\n").unwrap().stated_units;
         assert_eq!(
             feet.iter().map(|stated| (stated.unit, stated.is_height)).collect::<Vec<_>>(),
