@@ -274,7 +274,11 @@ test('another orthophoto takes what was placed away; other settings mark it as e
   const info = { width: 10, height: 10, gsd: 1, georeference: { origin: [0, 0], by_column: [1, 0], by_row: [0, -1] }, epsg: null, heights: [0, 0] };
   const raster = { id: 7, name: 'o.tif', file: new Blob(), world: null, projection: null };
   const options = { near_x: null, near_y: null, within_m: 500 };
-  const state = (/** @type {object} */ placing) => ({ placing, options: { cameras: null }, files: [{ id: 1, name: 'a.jpg', file: new Blob() }] });
+  const state = (/** @type {object} */ placing) => ({
+    placing,
+    options: { cameras: null, positions: null },
+    files: [{ id: 1, name: 'a.jpg', file: new Blob() }],
+  });
   let placing = reducePlacing({ ...NO_PLACING, options }, { type: 'orthophoto', orthophoto: { raster, info, ofBlock: null } });
   assert.equal(unplacedFiles(state(placing)).length, 1);
   const key = placingKey(state(placing));
@@ -300,7 +304,7 @@ test('marks of film are of the image of their name, which alone is placed anew w
   const { placedFiles, placingKey, placingKeyOf, unplacedFiles } = page.placed;
   const { filmOf, marksOfNone, withMarks } = page.film;
   const files = ['1963_017.TIF', 'a.jpg'].map((name, k) => ({ id: k + 1, name, file: new Blob() }));
-  const state = (/** @type {any} */ placing) => ({ placing, options: { cameras: null }, files });
+  const state = (/** @type {any} */ placing) => ({ placing, options: { cameras: null, positions: null }, files });
   const marks = (/** @type {string} */ name, /** @type {string} */ text) => ({ name, text });
   const film = withMarks({ camera: marks('film.json', '{}'), marks: [] }, [marks('1963_017.csv', 'one')]);
   assert.deepEqual([filmOf(film, '1963_017.TIF'), filmOf(film, 'a.jpg')], [{ camera: '{}', marks: 'one' }, null]);

@@ -3,7 +3,7 @@
 
 import { statSync } from 'node:fs';
 import { basename, dirname, extname, join } from 'node:path';
-import { image_position, OrthophotoReference } from '../node.js';
+import { block_settings, image_position, OrthophotoReference, positions_of_images, remarks_of_positions } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
 import { filesIn, inParts, isFile, isFolder, readBytes, readText } from './files.js';
 import { path, valueOption } from './options.js';
@@ -52,6 +52,18 @@ export function openReference(file, ground, placing) {
 }
 
 /** Positions that a table gives to images, in their order.  @typedef {readonly (import('../node.js').GivenPosition | null)[]} Given */
+
+/**
+ * The positions of a table, and what is to be said of it. Coordinates in a plane are in the system of the code or text, or else in that of the orthophoto.
+ * @param {string} file @param {string | undefined} crs @param {readonly string[]} images @param {OrthophotoReference} reference
+ * @returns {{ given: Given, remarks: import('../node.js').Remark[] }}
+ */
+export function positionsIn(file, crs, images, reference) {
+  const { epsg } = reference.info();
+  const [text, names] = [readText(file), images.map((image) => basename(image))];
+  const placing = { ...block_settings({}).placing, crs: crs ?? (epsg === null ? null : `EPSG:${epsg}`) };
+  return about(file, () => ({ given: positions_of_images(text, names, placing), remarks: remarks_of_positions(text, names) }));
+}
 
 /**
  * What is to be said of images before anything is matched: that none has a GNSS position near the orthophoto. Null where one does, or where nothing says it.

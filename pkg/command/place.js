@@ -9,7 +9,7 @@ import { note, print, printJson } from './output.js';
 import { marksOf } from './pair.js';
 import { Progress } from './progress.js';
 import { fixed, table } from './text.js';
-import { elsewhereOf, GROUND_OPTIONS, groundOf, NO_HEIGHTS, openReference, ORTHOPHOTO_HELP } from './ground.js';
+import { elsewhereOf, GROUND_OPTIONS, groundOf, NO_HEIGHTS, openReference, ORTHOPHOTO_HELP, positionsIn } from './ground.js';
 
 /** @typedef {import('../node.js').PlacedImage} PlacedImage */
 
@@ -26,6 +26,12 @@ export const place = {
     ...GROUND_OPTIONS,
     path('cameras', 'cameras.json', 'Cameras in place of those of EXIF, as `tiepoint block` takes them; one with "fixed": true is calibrated.'),
     path(
+      'positions',
+      'positions.csv',
+      'GNSS positions of the images, in place of those that their files record, as `tiepoint block` takes them: image,longitude,latitude or, in a plane, image,x,y, and perhaps standard errors. Heights take no part.',
+    ),
+    path('crs', 'CRS', 'The coordinate system of positions in a plane: an EPSG code, PROJ text or WKT; that of the orthophoto where it has a code.'),
+    path(
       'fiducials',
       'F.csv',
       'Fiducial marks measured in the scan of a photo on film: col,row,x_mm,y_mm. The image is oriented by them within the film, and only what lies within them is matched. Needs --camera; of one image.',
@@ -38,7 +44,7 @@ export const place = {
     ...OPTIONS,
   ],
   details:
-    'Points of the image are found on the orthophoto, first about its GNSS position where it records one and the orthophoto says its system, the image is oriented by them, resampled to the ground and matched again, then adjusted; a part of the links takes no part and checks the result. Lengths are those of the ' +
+    'Points of the image are found on the orthophoto, first about its GNSS position where it has one and the orthophoto says its system, the image is oriented by them, resampled to the ground and matched again, then adjusted; a part of the links takes no part and checks the result. Lengths are those of the ' +
     'map. An error that all places of the orthophoto or all heights share shows nowhere. JSON: orthophoto, remarks, images [{name, verdict, placement or null, search}, …] with camera, pose, standard errors, footprint, links, of scanned film also film with its interior orientation. ' +
     'The exit code is that of the worst verdict: 0 placed, 3 weak, 4 not placed.',
   run,
@@ -55,12 +61,14 @@ async function run({ positionals, values }) {
   const film = filmOf(values, positionals);
   const cameras = camerasOf(values.get('cameras'), positionals);
   const ground = groundOf(values);
+  checkTogether(values, [['crs', 'positions']]);
   if (typeof out === 'string') makeFolder(out);
   const shown = new Progress({ steps: positionals.length + 3 });
   const reference = shown.step(`reading ${file}`, () => openReference(file, ground, placing));
   try {
-    const doubt = shown.step('reading positions', () => elsewhereOf(reference, positionals, []));
-    const remarks = doubt ? [withText('remark', doubt)] : [];
+    const table = tableOf(values, positionals, reference);
+    const doubt = shown.step('reading positions', () => elsewhereOf(reference, positionals, table.given));
+    const remarks = [...table.remarks, ...(doubt ? [doubt] : [])].map((remark) => withText('remark', remark));
     shown.end();
     for (const { text } of remarks) note(text);
     /** @type {Result['images']} */
@@ -69,11 +77,11 @@ async function run({ positionals, values }) {
     const pictures = [];
     /** @type {string[]} */
     const failed = [];
-    for (const image of positionals) {
+    for (const [index, image] of positionals.entries()) {
       const name = basename(image);
       try {
         const bytes = readBytes(image);
-        const placed = shown.step(`placing ${name}`, () => about(image, () => reference.place(name, bytes, cameras, film)));
+        const placed = shown.step(`placing ${name}`, () => about(image, () => reference.place(name, bytes, cameras, film, table.given[index])));
         images.push({ name, ...placed });
         if (values.has('rectified') && placed.placement)
           pictures.push(writeInto(String(out), `${stemOf(image)}-rectified.tif`, reference.rectified(bytes, placed.placement)));
@@ -127,6 +135,12 @@ function filmOf(values, images) {
   if (values.has('cameras')) throw new UsageError('--camera and --cameras both give a camera; give one of them');
   const text = readText(camera);
   return { camera: about(camera, () => parse_camera(text)), scan: marksOf(fiducials, values.get('origin')) };
+}
+
+/** @param {import('./args.js').Call['values']} values @param {readonly string[]} images @param {import('../node.js').OrthophotoReference} reference */
+function tableOf(values, images, reference) {
+  const [file, crs] = [values.get('positions'), values.get('crs')];
+  return typeof file === 'string' ? positionsIn(file, typeof crs === 'string' ? crs : undefined, images, reference) : { given: [], remarks: [] };
 }
 
 /** @param {unknown} cameras @param {readonly string[]} images */

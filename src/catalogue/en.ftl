@@ -1287,8 +1287,8 @@ remark-doubled-position-columns =
     }
 remark-positions-of-other-images =
     { $all ->
-        [true] the table of image positions names no image of the block, and no position of it is used; it names
-       *[false] the table of image positions names images that the block does not have:
+        [true] the table of image positions names none of the images, and no position of it is used; it names
+       *[false] the table of image positions names other images, too:
     } { $images }{ $images_more ->
         [0] {""}
        *[other] {" "}and { $images_more } more

@@ -23,6 +23,13 @@ pub struct GivenPosition {
     pub in_crs: bool,
 }
 
+impl GivenPosition {
+    /// As a file would record it: the standard error of the place is the error that it states.
+    pub fn as_recorded(&self) -> ExifPosition {
+        ExifPosition { error_m: self.standard_errors_m[0], ..self.position }
+    }
+}
+
 /// The table of GNSS positions of images.
 #[derive(Debug, Clone)]
 pub struct PositionTable {
@@ -110,8 +117,8 @@ impl PositionTable {
         Ok(GivenPosition { position, standard_errors_m: standard_errors, in_crs: system.is_some() })
     }
 
-    /// What a run of images with these names says of the table.
-    pub(super) fn remarks(&self, images: &[String]) -> Vec<Remark> {
+    /// What is to be said of the table beside images with these names: columns that are not understood, rows of other images.
+    pub fn remarks(&self, images: &[String]) -> Vec<Remark> {
         let UnreadColumns { unknown, doubled } = self.head.unread.clone();
         let named = NamedImages::new(images);
         let rows = &self.positions.rows;

@@ -7,10 +7,10 @@ use super::file_in_parts::file_source;
 use super::finished::FinishedBlock;
 use crate::catalogue::check_call;
 use crate::{
-    BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, ExifPosition, FileFault, FilmInput, FilmScan, GivenLink, HeightModel, Heights,
-    Mosaic, Orthophoto, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SCAN_LIMITS, SearchArea, Sidecars, control_by_hand,
-    decode, decode_bands, ground_positions, heights_of_block, image_positions, links_table, place_by_links, place_film,
-    place_film_by_links, place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
+    BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, ExifPosition, FileFault, FilmInput, FilmScan, GivenLink, GivenPosition,
+    HeightModel, Heights, Mosaic, Orthophoto, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SCAN_LIMITS, SearchArea,
+    Sidecars, control_by_hand, decode, decode_bands, ground_positions, heights_of_block, image_positions, links_table, place_by_links,
+    place_film, place_film_by_links, place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
 };
 use js_sys::Uint8Array;
 use serde::Deserialize;
@@ -52,6 +52,8 @@ export interface ByLinks {
     options?: Given<PlacingOptions> | null;
     /** Of a scan of film that was not placed, as of `place`. */
     film?: Given<FilmInput> | null;
+    /** As of `place`. */
+    position?: GivenPosition | null;
 }
 
 /** A place of the ground that becomes a ground control point of a block. */
@@ -77,6 +79,7 @@ struct ByLinks {
     cameras: Option<String>,
     options: Option<Value>,
     film: Option<Value>,
+    position: Option<GivenPosition>,
 }
 
 #[derive(Deserialize)]
@@ -163,7 +166,7 @@ impl OrthophotoReference {
     /// Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
     /// of its EXIF and XMP, or a usual one. Where it records a GNSS position and the system of the orthophoto is known, it is sought there first, within
     /// `within_m`, then on all of the orthophoto. `film`: of the scan of a photo on film, its calibrated camera and the fiducial marks that were measured in it,
-    /// in place of what is known otherwise.
+    /// in place of what is known otherwise. `position`: its GNSS position in a table (`positions_of_images`), in place of that which its file records.
     #[wasm_bindgen(unchecked_return_type = "PlacedImage")]
     pub fn place(
         &mut self,
@@ -171,15 +174,18 @@ impl OrthophotoReference {
         file: &Bytes,
         cameras: Option<Text>,
         #[wasm_bindgen(unchecked_optional_param_type = "Given<FilmInput> | null")] film: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "GivenPosition | null")] position: &JsValue,
     ) -> JsResult<JsValue> {
         let (name, cameras) = (name.read("name")?, cameras.map(|cameras| cameras.read("cameras")).transpose()?);
         let (file, film) = (&file.read("file of the image")?[..], read_film(film)?);
+        let given: Option<GivenPosition> = if position.is_undefined() { None } else { read("position", position)? };
         let rules = CameraRules::read(cameras.as_deref()).map_err(thrown)?;
         let image = decode(file, &limits_of(film.is_some())).map_err(thrown)?.grey;
         let exif = ExifImage::read(file, image.width() as u64, image.height() as u64);
         let camera = PlacingCamera::of(&rules, &name, [image.width() as u32, image.height() as u32], &exif);
         let area = self.taken_area()?;
-        let (grey, position) = (image.view(), exif.position.as_ref());
+        let position = position_of(given.as_ref(), &exif);
+        let (grey, position) = (image.view(), position.as_ref());
         let placed = match &film {
             Some(film) => place_film(grey, film, position, &self.orthophoto, &area, &self.options),
             None => place_recorded(grey, &camera, position, &self.orthophoto, &area, &self.options),
@@ -224,7 +230,7 @@ impl OrthophotoReference {
         #[wasm_bindgen(unchecked_param_type = "ByLinks")] given: &JsValue,
     ) -> JsResult<JsValue> {
         let (name, file) = (name.read("name")?, &file.read("file of the image")?[..]);
-        let ByLinks { links, placement, cameras, options, film } = read("links", given)?;
+        let ByLinks { links, placement, cameras, options, film, position } = read("links", given)?;
         let film: Option<FilmInput> = options_inside("film", film)?;
         let options = options_inside("placing", options)?.unwrap_or_else(|| self.options.clone());
         let rules = CameraRules::read(cameras.as_deref()).map_err(thrown)?;
@@ -240,7 +246,8 @@ impl OrthophotoReference {
             None => film.map(|film| FilmScan::new(&film, size.map(|side| side as usize))).transpose().map_err(thrown)?,
         };
         let exif = ExifImage::read(file, u64::from(size[0]), u64::from(size[1]));
-        let position = exif.position.as_ref();
+        let position = position_of(position.as_ref(), &exif);
+        let position = position.as_ref();
         if let Some(scan) = scan {
             let placed = place_film_by_links(&scan, position, &self.orthophoto, placement.as_ref(), &links, &options);
             return placed.map(|placed| pack(&placed)).map_err(thrown);
@@ -340,6 +347,11 @@ impl BlockOnOrthophoto {
     pub fn linked(&self, block: &FinishedBlock, reference: &OrthophotoReference) -> JsResult<FinishedBlock> {
         self.links.linked(block.run(), &reference.orthophoto, &reference.options).map(FinishedBlock::of).map_err(thrown)
     }
+}
+
+/// The GNSS position of an image: that of a table, else that which its file records.
+fn position_of(given: Option<&GivenPosition>, exif: &ExifImage) -> Option<ExifPosition> {
+    given.map(GivenPosition::as_recorded).or(exif.position)
 }
 
 /// What is known of a scan of film; absent where it is undefined or null.

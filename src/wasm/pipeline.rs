@@ -136,6 +136,13 @@ pub fn positions_of_images(
     given.map(|given| pack(&given)).map_err(thrown)
 }
 
+/// What is to be said of a table of GNSS positions beside images of these names: columns that are not understood, rows of other images.
+#[wasm_bindgen(unchecked_return_type = "Remark[]")]
+pub fn remarks_of_positions(text: &Text, names: &TextList) -> JsResult<JsValue> {
+    let (text, names) = (text.read("text")?, names.read("names")?);
+    PositionTable::read(&text).map(|table| pack(&table.remarks(&names))).map_err(thrown)
+}
+
 /// Refuses the file of a geoid beside its height, and one without a coordinate system whose heights count from it.
 #[wasm_bindgen]
 pub fn check_geoid(name: &Text, #[wasm_bindgen(unchecked_param_type = "GeoreferencingOptions")] placing: &JsValue) -> JsResult<()> {

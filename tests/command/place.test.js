@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { grey_png, OrthophotoReference, Photo } from '../../pkg/node.js';
+import { grey_png, OrthophotoReference, Photo, read_exif, system_coordinates } from '../../pkg/node.js';
 import { georeferenced } from '../page/georeferenced.js';
 import { file, folder, json, tiepoint } from './command.js';
 
@@ -216,3 +216,58 @@ test('a block becomes an orthomosaic, on which its photos are placed again', () 
   const broken = file(folder(), 'broken.asc', 'ncols 3');
   assert.match(tiepoint('mosaic', join(block, 'out', 'project.tiepoint'), OWN.at, '--out', picture, '--heights', broken).stderr, /broken\.asc: /);
 });
+
+test('a photo that records no position is sought where a table has it, in degrees or in the system of the orthophoto', () => {
+  const at = folder();
+  const tif = join(at, 'map.tif');
+  writeFileSync(tif, georeferenced(readFileSync(join(OWN.at, 'orthophoto.tif')), 25832, OWN.truth.origin, 0).tif);
+  const [photo = ''] = OWN.photos;
+  const { width, height, grey } = bare(photo);
+  writeFileSync(join(at, 'plain.png'), grey_png(width, height, grey));
+  const recorded = read_exif(readFileSync(photo), width, height).position;
+  assert.ok(recorded);
+  const { longitude_deg: longitude, latitude_deg: latitude, height_m } = recorded;
+  const [x, y] = system_coordinates('EPSG:25832', Float64Array.of(longitude, latitude, height_m ?? 0));
+  const cameras = file(at, 'cameras.json', JSON.stringify({ cameras: [{ images: '*', focal_px: OWN.truth.cameras[0].focal_px, fixed: true }] }));
+  const call = ['place', join(at, 'plain.png'), '--cameras', cameras, '--orthophoto', tif, '--level', '0', '--points', '3000', '--json'];
+  const placed = (/** @type {string} */ table, /** @type {string[]} */ ...args) =>
+    JSON.parse(tiepoint(...call, '--positions', file(at, 'table.csv', table), ...args).stdout);
+  const alone = JSON.parse(tiepoint(...call).stdout);
+  assert.deepEqual([alone.images[0].search, alone.remarks], [undefined, []]);
+  for (const [table, ...args] of [
+    [`image,lon,lat,acc\nplain.png,${longitude},${latitude},0.03\n`],
+    [`image,easting,northing\nplain,${x},${y}\n`],
+    [`image,easting,northing\nplain,${x},${y}\n`, '--crs', 'EPSG:25832'],
+  ]) {
+    const { images, remarks } = placed(table ?? '', ...args);
+    assert.deepEqual([images[0].verdict.kind, images[0].search.kind, remarks], ['placed', 'gnss', []], JSON.stringify(images[0].verdict));
+    // The error of the receiver, and of ground that is taken as level.
+    assert.ok(images[0].search.plan_m < 25, `${images[0].search.plan_m} m from its position`);
+  }
+  const { images, remarks } = placed(`image,lon,lat,roll\nplain.png,${longitude + 1},${latitude},1\nother.png,8,50,1\n`);
+  assert.deepEqual(
+    remarks.map((/** @type {{ kind: string }} */ { kind }) => kind),
+    ['unknown_position_columns', 'positions_of_other_images', 'orthophoto_elsewhere'],
+  );
+  // Its place is doubted for that.
+  assert.deepEqual([images[0].search.kind, images[0].verdict.kind, images[0].verdict.placing_weakness?.kind], ['beyond_gnss', 'weak', 'gnss']);
+  for (const [text, args, told] of /** @type {[string, string[], RegExp][]} */ ([
+    ['plain.png,50.1,8.2\n', [], /^1 .*table\.csv: .*longitude and latitude/],
+    [`image,easting,northing\nplain,${longitude},${latitude}\n`, ['--crs', 'EPSG:25832'], /^1 .*table\.csv: .*degrees/],
+  ])) {
+    const { code, stderr } = tiepoint('place', photo, '--orthophoto', tif, '--positions', file(at, 'table.csv', text), ...args);
+    assert.match(`${code} ${stderr}`, told);
+  }
+  const { code, stderr } = tiepoint('place', photo, '--orthophoto', tif, '--crs', 'EPSG:25832');
+  assert.match(`${code} ${stderr}`, /^2 .*--crs needs --positions beside it/);
+});
+
+/** Grey values of a photo, without what it records.  @param {string} path */
+function bare(path) {
+  const photo = Photo.decode(readFileSync(path));
+  try {
+    return { width: photo.width, height: photo.height, grey: photo.grey() };
+  } finally {
+    photo.free();
+  }
+}

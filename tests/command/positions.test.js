@@ -70,7 +70,7 @@ test('what a table has beside positions of the images is remarked', () => {
   const other = file(AT, 'other.csv', `Label;Länge;Breite;Höhe;Roll\n${NAMES[0]};8,0001;50;300;1\nstranger.jpg;8;50;300;1\n`);
   const { remarks } = orientations(PHOTOS, 'remarked', '--positions', other);
   assert.match(remarks, /columns of the table of image positions are not understood and not read: Roll/);
-  assert.match(remarks, /names images that the block does not have: stranger\.jpg/);
+  assert.match(remarks, /names other images, too: stranger\.jpg/);
 });
 
 test('a table that cannot be used is refused before anything is computed', () => {

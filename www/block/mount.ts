@@ -183,7 +183,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   main.append(near.element);
   store.watch(['notice'], ([notice]) => near.show(notice));
   store.watch(
-    ({ files: given, placing: { orthophoto, options } }) => [given, orthophoto?.raster ?? null, options] as const,
+    ({ files: given, placing: { orthophoto, options }, options: { positions } }) => [given, orthophoto?.raster ?? null, options, positions] as const,
     () => void placing.lookElsewhere(),
   );
   new EditFollower(store, engine);

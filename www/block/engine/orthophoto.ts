@@ -6,6 +6,7 @@ import type {
   FileInParts,
   Georeference,
   GivenLink,
+  GivenPosition,
   OrthophotoInfo,
   PlacedImage,
   Placement,
@@ -51,6 +52,8 @@ export interface PlaceInput {
   cameras: string | null;
   /** Of a scan of film. */
   film: FilmTexts | null;
+  /** That of a table; null: what its file records. */
+  position: GivenPosition | null;
 }
 
 export interface MosaicKind {
@@ -204,10 +207,10 @@ export async function orthoReference(input: Pick<PlaceInput, 'ground' | 'options
   return now.reference;
 }
 
-export async function orthoPlace({ ground, options, name, file, cameras, film }: PlaceInput): Promise<LinkedImage> {
+export async function orthoPlace({ ground, options, name, file, cameras, film, position }: PlaceInput): Promise<LinkedImage> {
   const reference = await orthoReference({ ground, options });
   const bytes = await bytesOf(file);
-  const placed = reference.place(name, bytes, cameras, film && readFilm(film));
+  const placed = reference.place(name, bytes, cameras, film && readFilm(film), position);
   return inColumns(placed, sizeOf(placed, bytes));
 }
 
@@ -224,9 +227,9 @@ function sizeOf({ placement }: PlacedImage, file: Uint8Array): [number, number] 
 }
 
 /** An image by links that are given; nothing is matched. */
-export async function orthoAdjust({ ground, options, name, file, cameras, film, links, start, size }: AdjustInput): Promise<LinkedImage> {
+export async function orthoAdjust({ ground, options, name, file, cameras, film, position, links, start, size }: AdjustInput): Promise<LinkedImage> {
   const { reference } = await opened(ground);
-  const given = { links, placement: start, cameras, options, film: film && readFilm(film) };
+  const given = { links, placement: start, cameras, options, film: film && readFilm(film), position };
   return inColumns(reference.adjust(name, await bytesOf(file), given), size);
 }
 

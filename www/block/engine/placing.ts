@@ -5,6 +5,7 @@ import type { LinkStep } from '../state/steps';
 import type { LinkedImage, LinkedPlacement } from '../state/links';
 import { placingKey, placingKeyOf, unplacedFiles } from '../state/placed';
 import { filmOf } from '../state/film';
+import { givenPositions } from '../state/given-positions';
 import { NO_PLACING } from '../state/placing';
 import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
 import type { BlockFile } from '../state/state';
@@ -74,7 +75,7 @@ export class PlacingEngine {
 
   /** Looks whether images record positions elsewhere than the orthophoto, before anything is matched. */
   async lookElsewhere(): Promise<void> {
-    const { files, placing } = this.store.state;
+    const { files, placing, options: run } = this.store.state;
     const { orthophoto, options } = placing;
     const { ground } = this;
     let doubt: Remark | null = null;
@@ -83,10 +84,20 @@ export class PlacingEngine {
       // What is given meanwhile is looked at by itself.
       const areWanted = () => {
         const now = this.store.state;
-        return now.files === files && now.placing.orthophoto?.raster === orthophoto.raster && now.placing.options === options;
+        return (
+          now.files === files &&
+          now.placing.orthophoto?.raster === orthophoto.raster &&
+          now.placing.options === options &&
+          now.options.positions === run.positions
+        );
       };
-      const positions = await this.recorded.of(files, areWanted);
-      if (positions === null) return;
+      const given = givenPositions(this.store.state);
+      const recorded = await this.recorded.of(
+        files.filter(({ name }) => !given.has(name)),
+        areWanted,
+      );
+      if (recorded === null) return;
+      const positions = [...[...given.values()].map(({ position }) => position), ...recorded];
       if (positions.length > 0) doubt = await this.shower.call('orthoElsewhere', { ground, options, positions }).catch(() => null);
       if (!areWanted()) return;
     }
@@ -106,6 +117,7 @@ export class PlacingEngine {
     const waiting = [...files];
     const { options: given, film } = placing;
     const cameras = options.cameras?.text ?? null;
+    const positions = givenPositions(state);
     let done = 0;
     this.stopped = false;
     const tell = (text: string) => this.store.dispatch({ type: 'placing', running: { done, total: files.length, text } });
@@ -116,7 +128,15 @@ export class PlacingEngine {
       for (let file = waiting.shift(); file !== undefined; file = waiting.shift()) {
         tell(say('placing', { name: file.name }));
         const { id, name } = file;
-        const [found, problem] = await this.tried(worker, { ground, options: given, name, file: file.file, cameras, film: filmOf(film, name) });
+        const [found, problem] = await this.tried(worker, {
+          ground,
+          options: given,
+          name,
+          file: file.file,
+          cameras,
+          film: filmOf(film, name),
+          position: positions.get(name) ?? null,
+        });
         done += 1;
         // Links that were measured by hand are of the image, whatever is found.
         const former = this.store.state.placing.placed.get(id);
@@ -180,6 +200,7 @@ export class PlacingEngine {
           file: bytes,
           cameras,
           film: filmOf(placing.film, name),
+          position: givenPositions(this.store.state).get(name) ?? null,
           links,
           start,
           size: found.size,

@@ -8,13 +8,13 @@ import type { BlockFile, BlockState } from './state';
 /** Names what placing images now would be made from, whatever is known of each. */
 export function placingKey({
   placing: { orthophoto, heights, options },
-  options: { cameras },
+  options: { cameras, positions },
 }: {
   placing: BlockState['placing'];
-  options: Pick<BlockState['options'], 'cameras'>;
+  options: Pick<BlockState['options'], 'cameras' | 'positions'>;
 }): string {
   const ground = heights.kind === 'level' ? heights.height : `file ${String(heights.model.id)}`;
-  return JSON.stringify([orthophoto?.raster.id ?? null, ground, options, cameras]);
+  return JSON.stringify([orthophoto?.raster.id ?? null, ground, options, cameras, ...(positions === null ? [] : [positions])]);
 }
 
 /** The same of one image, by its name: of a scan of film its camera and marks, too. */
