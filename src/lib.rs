@@ -98,7 +98,7 @@ pub use math::{geographic_from_local, local_from_geographic};
 pub use message::{Message, Texts};
 pub use model::{
     BlockDescription, BlockModel, ControlRole, GeographicOrigin, GnssErrors, GroundControlPoint, ImageObservation, ImpossiblePosition,
-    KnownCamera, KnownImage, ModelImage, NamedCamera, ObjectPoint, ObservedPosition, OrthophotoSlip, Remark,
+    KnownCamera, KnownImage, ModelImage, NamedCamera, ObjectPoint, ObservedPosition, PlaceSlip, Remark,
 };
 pub use orientation::{
     ErrorEllipse, ErrorModel, EstimatedCamera, FiveParameters, GlobalTest, ModelPoint, Observation, OrientationMethod, OrientationOptions,
@@ -136,7 +136,7 @@ pub use points::{
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points,
 };
 pub use reconstruction::{
-    Axis, BlockWarning, LengthUnit, Mistake, ObservationSource, Observed, PointSource, ReconstructedModel, Reconstruction,
+    Axis, BlockWarning, ControlApart, LengthUnit, Mistake, ObservationSource, Observed, PointSource, ReconstructedModel, Reconstruction,
     ReconstructionOptions, RefusedControl, RejectedObservation, RejectedPosition, SupportingPoint, SupportingRay, SurveyedPoint,
     UnorientedImage, UnorientedReason, reconstruct_block,
 };

@@ -4,7 +4,7 @@ use super::normal::Normal;
 use super::scene::{Scene, scene, selected};
 use super::surveyed::{MARK_PX, surveyed};
 use tiepoint::{
-    Axis, BlockFlight, BlockWarning, ControlRole, Datum, GroundControlPoint, Mistake, ObservedPosition, ReconstructedModel,
+    Axis, BlockFlight, BlockWarning, ControlApart, ControlRole, Datum, GroundControlPoint, Mistake, ObservedPosition, ReconstructedModel,
     ReconstructionOptions,
 };
 
@@ -227,7 +227,7 @@ fn a_point_whose_measurements_show_no_common_place_takes_no_part_and_is_named_wi
 fn control_points_that_most_lose_by_their_measurements_are_said_with_rows_that_count_from_the_bottom() {
     let lost = |model: &ReconstructedModel| {
         let of = |warning: &BlockWarning| match *warning {
-            BlockWarning::ControlLost { lost, points, from_bottom } => Some((lost, points, from_bottom)),
+            BlockWarning::ControlLost { lost, points, from_bottom, .. } => Some((lost, points, from_bottom)),
             _ => None,
         };
         model.warnings.iter().find_map(of)
@@ -254,6 +254,26 @@ fn control_points_that_most_lose_by_their_measurements_are_said_with_rows_that_c
             assert_eq!(is_unplaced(&model), !has_gnss, "{:?}", model.warnings);
         }
     }
+}
+
+#[test]
+fn heights_of_another_zero_are_said_beside_positions_that_are_surer_than_they_differ() {
+    let mut scene = flown(7, true, 5);
+    for (image, exposure) in scene.description.images.iter_mut().zip(&scene.block.exposures) {
+        image.position = Some(ObservedPosition::Local { position: exposure.centre, sigma: [0.03; 3] });
+    }
+    // One that is estimated takes the difference upon itself.
+    scene.description.cameras.iter_mut().for_each(|camera| camera.free.focal = false);
+    for k in control(&scene) {
+        place(&mut scene.description.control[k])[2] += 47.0;
+    }
+    let model = adjusted(&scene);
+    let apart = model.warnings.iter().find_map(|warning| match warning {
+        BlockWarning::ControlLost { from_bottom: false, control_apart, .. } => Some(*control_apart),
+        _ => None,
+    });
+    let Some(Some(ControlApart::Heights { up_m })) = apart else { panic!("{:?}", model.warnings) };
+    assert!((up_m + 47.0).abs() < 0.5, "{up_m} m");
 }
 
 #[test]
@@ -306,7 +326,7 @@ fn control_points_that_all_contradict_the_positions_stay_used() {
 fn what_all_positions_differ_by_from_the_control_is_said() {
     let apart = |scene: &Scene| {
         let of = |warning: BlockWarning| match warning {
-            BlockWarning::PositionsApart { axis, difference_m, times } => Some((axis, difference_m, times)),
+            BlockWarning::PositionsApart { axis, difference_m, times, .. } => Some((axis, difference_m, times)),
             _ => None,
         };
         adjusted(scene).warnings.into_iter().find_map(of)
@@ -563,7 +583,7 @@ fn the_only_control_point_is_lost_by_its_measurements_beside_positions_and_that_
         }
         let model = adjusted(&scene);
         let lost = model.warnings.iter().find_map(|warning| match *warning {
-            BlockWarning::ControlLost { lost, points, from_bottom } => Some((lost, points, from_bottom)),
+            BlockWarning::ControlLost { lost, points, from_bottom, .. } => Some((lost, points, from_bottom)),
             _ => None,
         });
         assert_eq!(lost, Some((1, count, true)));

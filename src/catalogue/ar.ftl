@@ -315,6 +315,7 @@ no-orientation-no-camera = لم تُعط كاميرا، والصورة { $side }
 no-orientation-no-focal-length = أُعطيت العلامات الإطارية دون بعد بؤري
 no-orientation-no-pixel-size = البعد البؤري للصورة { $side } معروف بالمليمتر لا بالبكسل: لا علامات إطارية ولا حجم بكسل معروفان
 no-orientation-altered = عُدّلت الصورة { $side }: { $camera_caution }
+no-orientation-contradicted-focal = لا شيء يوافق البعد البؤري المعطى { FIXED($given_px, digits: 0) } بكسل، وملف الصورة { $side } يذكر { FIXED($file_px, digits: 0) } بكسل (هل الكاميرا لصور من قياس آخر أو عدسة أخرى أو تقريب آخر، أم كُتبت القيمة خطأً؟)
 no-orientation-panorama = الصورة { $side } بانوراما: ليس لها منظور مركزي ولا كاميرا
 no-orientation-no-geometry = لا هندسة للمشهدين: { $no_geometry }
 no-orientation-pure-rotation = لا قاعدة (دوران خالص): تختلف الصورتان بدوران وحده
@@ -392,7 +393,7 @@ warning-few-matches = لم يشارك إلا { $matches } من المطابقا�
 warning-few-agree = لا يتفق مع التوجيه إلا { $accepted } من { $matches } من المطابقات.
 warning-mirrored = تُظهر الصورة اليمنى الأرض معكوسة كما في المرآة.
 warning-mirrored-marks = تقع العلامات الإطارية معكوسة في الصورة { $side }: هل المسح الضوئي معكوس، أم إحداثياتها؟
-warning-unknown-camera = لا يكاد البعد البؤري يُعرف، وقد قُدّر من المطابقات، وقد لا تصح المجالات: أعط الكاميرا.
+warning-unknown-camera = لا يكاد البعد البؤري يُعرف، ولا تحدده المطابقات بما يكفي، وقد لا تصح المجالات: أعط الكاميرا.
 warning-contradicted-focal = البعد البؤري المعطى { FIXED($given_px, digits: 0) } بكسل، لكن ملف الصورة { $side } يذكر { FIXED($file_px, digits: 0) } بكسل: هل الكاميرا لصور من قياس آخر أو عدسة أخرى أو تقريب آخر؟
 warning-doubtful-focal = البعد البؤري للصورة { $side } يساوي { SIGNIFICANT($sides, digits: 2) } من الضلع الأطول للصورة، والمعتاد من { $least } إلى { $most }: تحقق من البعد البؤري ومن قياس البكسل.
 warning-doubtful-distortion = تنقل تشوهات الصورة { $side } زاويةً من صورتها إلى { SIGNIFICANT($factor, digits: 2) } من بعدها عن النقطة الرئيسية، والمعتاد من { $least } إلى { $most }: تحقق من الحدود، ووحداتها مم⁻² ومم⁻⁴ ومم⁻⁶.
@@ -522,7 +523,7 @@ block-warning-levelled =
 block-warning-imprecise =
     ‏σ0 تبلغ { FIXED($sigma0_px, digits: 1) } بكسل، فوق { FIXED($most_px, digits: 0) } بكسل التي تبلغها المطابقة بالكاميرا الصحيحة: تشوه، أو كاميرا خاطئة، أو مطابقات خاطئة.
 block-warning-weights-not-converged = ما زالت الأوزان بحسب المتبقيات تتغير بعد { $rounds } من جولات الوزن: الأخطاء المعيارية المذكورة لا يوافق بعضها بعضًا.
-block-warning-no-heights = ليس لمواضع GNSS ارتفاعات: يُعد الطيران أفقيًا، وتُحسب الارتفاعات منه، وقد تكون الكتلة مائلة.
+block-warning-no-heights = لا تشارك ارتفاعات مواضع GNSS: يُعد الطيران أفقيًا، وتُحسب الارتفاعات منه، وقد تكون الكتلة مائلة.
 block-warning-positions-rejected =
     { $images_count ->
         [one] موضع GNSS واحد لا يوافق ورُفض، ومعه بعده
@@ -537,7 +538,18 @@ block-warning-positions-apart =
     تختلف مواضع GNSS كلها على السواء عن الكتلة المضبوطة في { $axis } بمقدار { FIXED($difference_m, digits: 2) } م، أي { FIXED($times, digits: 1) } أمثال ما تسمح به أخطاؤها المعيارية: { $axis ->
         [z] ربما تُحسب ارتفاعاتها وارتفاعات نقاط الضبط من صفرين مختلفين، كالمجسم الإهليلجي ومستوى سطح البحر (--geoid-m)، أو
        *[other] ربما كانت هي ونقاط الضبط في نظامين مختلفين، أو
-    } للمواضع إزاحة مشتركة (--gnss-errors offset).
+    } للمواضع إزاحة مشتركة (--gnss-errors offset).{ $focal ->
+        [true] {" "}وتخطئ بجزء منها الأبعاد البؤرية المقدرة ومعها ارتفاعات الصور.
+       *[false] {""}
+    }
+block-warning-positions-elsewhere =
+    تبعد مواضع GNSS في الجدول { SIGNIFICANT($distance_km, digits: 3) } كم عما { $images ->
+        [one] يسجله ملف صورة واحدة
+       *[other] تسجله ملفات الصور في الوسيط، وعددها { $images }
+    }. { $place_slip ->
+        [none] هل هي مواضع هذه الصور، وفي النظام المذكور؟
+       *[other] { $place_slip }
+    }
 block-warning-position-errors-undetermined =
     { $errors ->
         [one] خطأ منتظم واحد لمواضع GNSS غير محدد فعُدّ صفرًا
@@ -594,9 +606,15 @@ block-warning-control-unadjusted =
         }
     } لبُعدها عن موضعها وفق سائر النقاط: لا تدخل في التعديل، وعُدّلت الكتلة دون إسناد جغرافي. تحقق من الإحداثيات والقياسات الصورية.
 block-warning-control-lost =
-    لا تشارك { $lost } من نقاط الضبط الأرضي المقيسة، وعددها { $points }، أو تشارك بقياس صوري واحد، إذ لا تتوافق قياساتها الصورية: { $from_bottom ->
+    لا تشارك { $lost } من نقاط الضبط الأرضي المقيسة، وعددها { $points }، أو تشارك بقياس صوري واحد، إذ لا تتوافق قياساتها الصورية{ $control_apart ->
+        [none] {""}
+       *[other] {" "}وإحداثياتها
+    }: { $from_bottom ->
         [true] تلتقي لو عُدّت الصفوف من أسفل الصور. هنا y صفر في الأعلى: استعمل ارتفاع الصورة ناقص y.
-       *[other] تحقق من الصور والنقاط التي تسميها، ومن أنها ببكسلات هذه الصور، وأن x إلى اليمين وy من الأعلى إلى الأسفل.
+       *[other] { $control_apart ->
+            [none] تحقق من الصور والنقاط التي تسميها، ومن أنها ببكسلات هذه الصور، وأن x إلى اليمين وy من الأعلى إلى الأسفل.
+           *[other] { $control_apart }
+        }
     }
 block-warning-checks-apart =
     { $points ->
@@ -765,7 +783,7 @@ remark-orthophoto-elsewhere =
     { $images ->
         [1] موقع الصورة في GNSS لا يقع
        *[other] لا موقع في GNSS من مواقع { $images } من الصور يقع
-    } ضمن { FIXED($within_m, digits: 0) } م من الصورة المصححة: أقربها كما يضعه { $crs } يبعد عنها { SIGNIFICANT($distance_km, digits: 3) } كم. { $orthophoto_slip } ويُبحث فيها كلها
+    } ضمن { FIXED($within_m, digits: 0) } م من الصورة المصححة: أقربها كما يضعه { $crs } يبعد عنها { SIGNIFICANT($distance_km, digits: 3) } كم. { $place_slip } ويُبحث فيها كلها
 remark-orthophoto-heights =
     ارتفاعات أرض الصورة المصححة تُعدّ من { $from_ellipsoid ->
         [true] الإهليلج
@@ -909,12 +927,16 @@ on-orthophoto-by-hand =
 on-orthophoto-not-linked = ليست الكتلة في نظام الصورة المصححة، وهي كما كانت دونها: { $not_linked }.
 
 # How an orthophoto may have come to lie elsewhere than its images.
-orthophoto-slip-zone = في المنطقة { $zone } من UTM تقع الصورة المصححة هناك: هل سُمّي نظامها خطأً؟
-orthophoto-slip-exchanged = إذا تبادل x وy وقعت الصورة المصححة هناك: x هو الشرق.
-orthophoto-slip-other-half = في المنطقة نفسها من النصف الآخر للأرض (الشمالي أو الجنوبي) تقع الصورة المصححة هناك: هل سُمّي نظامها خطأً؟
-orthophoto-slip-unit = إذا كانت إحداثياتها بوحدة { $given_in } وقعت الصورة المصححة هناك.
-orthophoto-slip-coordinate = إذا كان { $likely } في وسطها وقعت الصورة المصححة هناك.
-orthophoto-slip-unknown = هل هي الصورة المصححة لهذه الصور، وهل نظامها صحيح، أم المواقع خاطئة؟
+place-slip-zone = في المنطقة { $zone } من UTM يكون الموضع صحيحًا: هل سُمّي النظام خطأً؟
+place-slip-exchanged = إذا تبادل x وy كان الموضع صحيحًا: x هو الشرق.
+place-slip-other-half = في المنطقة نفسها من النصف الآخر للأرض (الشمالي أو الجنوبي) يكون الموضع صحيحًا: هل سُمّي النظام خطأً؟
+place-slip-unit = إذا كانت الإحداثيات بوحدة { $given_in } كان الموضع صحيحًا.
+place-slip-coordinate = إذا كان { $likely } في الوسط كان الموضع صحيحًا.
+
+# أين تلتقي القياسات الصورية لنقاط الضبط.
+control-apart-heights = تلتقي هذه فوقها بمقدار { FIXED($up_m, digits: 2) } م في الوسيط (تحتها حيث يكون سالبًا)، ولا تكاد تبتعد عنها أفقيًا. هل تُحسب الارتفاعات من صفر آخر (--geoid-m)، أم هي بوحدة أخرى؟
+control-apart-places = تلتقي هذه على بعد { FIXED($across_m, digits: 2) } م منها أفقيًا و{ FIXED($up_m, digits: 2) } م ارتفاعًا في الوسيط. هل هي في نظام إحداثيات مرجعي آخر، أم بوحدة أخرى؟
+place-slip-unknown = هل هي الصورة المصححة لهذه الصور، وهل نظامها صحيح، أم المواقع خاطئة؟
 
 # Why a block is not in the system of an orthophoto.
 not-linked-not-oriented = لم توجَّه
@@ -1269,6 +1291,7 @@ refusal-no-heights-there = ارتفاعات نموذج الارتفاعات: ل�
 refusal-one-coordinate = مكان قريب من صورة: أُعطي إحداثي واحد؛ المسموح: near_x وnear_y معًا، أو لا واحد منهما
 refusal-near-place = مكان قريب من صورة: أُعطي { $place }؛ المسموح: ضمن { $within_m } م من الصورة المصححة التي ركناها عند { $first } و{ $last }
 refusal-near-radius = نصف القطر حول المكان القريب من صورة: أُعطي { $within_m } م؛ المسموح: ما يتسع لضلع من { $least_px } بكسل من الصورة المصححة
+refusal-folded-image = التشوه الشعاعي لكاميرا { $camera }: القيمة { $radial } تطوي الصورة قبل زواياها بكثير؛ المسموح: حدود للبعد عن النقطة الرئيسية مقسومًا على البعد البؤري، وكلاهما بالبكسل، يزداد بها هذا البعد
 refusal-camera-size = كاميرا الصورة: أُعطي { $width_px } × { $height_px } بكسل؛ المسموح: { $width } × { $height } بكسل، كما في الصورة
 refusal-grey-values = صورة رمادية: أُعطي { $width } × { $height } بكسل مع { $values } من القيم؛ المسموح: أضلاع من 1 بكسل على الأقل، وقيم بعدد العرض × الارتفاع
 

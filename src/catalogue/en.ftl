@@ -541,6 +541,7 @@ refusal-no-heights-there = heights of a height model: got none under the orthoph
 refusal-one-coordinate = place near an image: got one coordinate; allowed: near_x and near_y, or neither
 refusal-near-place = place near an image: got { $place }; allowed: within { $within_m } m of the orthophoto, whose corners are at { $first } and { $last }
 refusal-near-radius = radius about the place near an image: got { $within_m } m; allowed: so much that { $least_px } px of the orthophoto a side lie within it
+refusal-folded-image = radial distortion of the camera of { $camera }: got { $radial }, which folds the image well within its corners; allowed: terms of distances from the principal point by the focal length, both in px, by which these grow
 refusal-camera-size = camera of the image: got { $width_px } x { $height_px } px; allowed: { $width } x { $height } px, as the image
 refusal-grey-values = grey image: got { $width } x { $height } px with { $values } values; allowed: sides of at least 1 px and width x height values
 
@@ -775,6 +776,7 @@ no-orientation-no-camera = no camera is given and the { $side } image names no f
 no-orientation-no-focal-length = fiducial marks are given, but no focal length
 no-orientation-no-pixel-size = the focal length of the { $side } image is known in mm, but not in px: neither fiducial marks nor a pixel size is known
 no-orientation-altered = the { $side } image was altered: { $camera_caution }
+no-orientation-contradicted-focal = nothing fits the given focal length of { FIXED($given_px, digits: 0) } px, and the file of the { $side } image says { FIXED($file_px, digits: 0) } px (is the camera that of another photo size, lens or zoom, or a value mistyped?)
 no-orientation-panorama = the { $side } image is a panorama: it has no central perspective, and no camera
 no-orientation-no-geometry = no geometry of the two views: { $no_geometry }
 no-orientation-pure-rotation = no base (pure rotation): the photos differ by a rotation alone
@@ -849,7 +851,7 @@ warning-few-matches = Only { $matches } matches took part; as many may agree on 
 warning-few-agree = Only { $accepted } of { $matches } matches agree with the orientation.
 warning-mirrored = The right photo shows the ground mirrored.
 warning-mirrored-marks = The fiducial marks lie mirrored in the { $side } image: is the scan mirrored, or are their coordinates?
-warning-unknown-camera = The focal length is hardly known and was estimated from the matches; the intervals may not hold: give the camera.
+warning-unknown-camera = The focal length is hardly known, and the matches do not tell it well enough; the intervals may not hold: give the camera.
 warning-contradicted-focal = The given focal length is { FIXED($given_px, digits: 0) } px, but the file of the { $side } image says { FIXED($file_px, digits: 0) } px: is the camera that of another photo size, lens or zoom?
 warning-doubtful-focal = The focal length of the { $side } photo is { SIGNIFICANT($sides, digits: 2) } times the longer side of its image, where { $least } to { $most } times are usual: check the focal length and the pixel size.
 warning-doubtful-distortion = The distortion of the { $side } photo takes a corner of its image to { SIGNIFICANT($factor, digits: 2) } times its distance from the principal point, where { $least } to { $most } times are usual: check the terms, which are in mm⁻², mm⁻⁴ and mm⁻⁶.
@@ -973,7 +975,7 @@ block-warning-levelled =
 block-warning-imprecise =
     σ0 is { FIXED($sigma0_px, digits: 1) } px, above the { FIXED($most_px, digits: 0) } px that matching reaches with the right camera: distortion, a wrong camera or wrong matches.
 block-warning-weights-not-converged = Weights by the residuals still changed after { $rounds } rounds of weighting: standard errors that were stated do not fit each other.
-block-warning-no-heights = The GNSS positions have no heights: the flight is taken as level, heights count from it, and the block may be tilted.
+block-warning-no-heights = No heights of GNSS positions take part: the flight is taken as level, heights count from it, and the block may be tilted.
 block-warning-positions-rejected =
     { $images_count ->
         [one] 1 GNSS position does not fit and is rejected, with its distance
@@ -987,7 +989,18 @@ block-warning-positions-apart =
     In { $axis } all GNSS positions differ alike from the adjusted block, by { FIXED($difference_m, digits: 2) } m, { FIXED($times, digits: 1) } times as much as their standard errors lead one to expect: { $axis ->
         [z] they and the control points may count heights from different zeros, such as the ellipsoid and sea level (--geoid-m), or
        *[other] they and the control points may be in different systems, or
-    } the positions have an offset in common (--gnss-errors offset).
+    } the positions have an offset in common (--gnss-errors offset).{ $focal ->
+        [true] {" "}Focal lengths that are estimated, and the heights of the images with them, are wrong by part of it.
+       *[false] {""}
+    }
+block-warning-positions-elsewhere =
+    The GNSS positions of the table lie { SIGNIFICANT($distance_km, digits: 3) } km from those that { $images ->
+        [one] the file of 1 image records
+       *[other] the files of { $images } images record, in the median
+    }. { $place_slip ->
+        [none] Are they of these images, and in the system that is named?
+       *[other] { $place_slip }
+    }
 block-warning-position-errors-undetermined =
     { $errors ->
         [one] 1 systematic error of GNSS positions is not determined and taken as zero
@@ -1046,9 +1059,15 @@ block-warning-control-lost =
     { $lost } of { $points } measured GCPs { $lost ->
         [one] takes no part, or by one image measurement alone, since its image measurements do not fit
        *[other] take no part, or by one image measurement alone, since their image measurements do not fit
+    }{ $control_apart ->
+        [none] {""}
+       *[other] {" "}their coordinates
     }: { $from_bottom ->
         [true] they would with rows counted from the bottom of the images. Here y is 0 at the top: use the height of the image minus y.
-       *[other] check which images and points they name, and that they are in px of these images, x to the right, y from the top down.
+       *[other] { $control_apart ->
+            [none] check which images and points they name, and that they are in px of these images, x to the right, y from the top down.
+           *[other] { $control_apart }
+        }
     }
 block-warning-checks-apart =
     { $points ->
@@ -1224,7 +1243,7 @@ remark-orthophoto-elsewhere =
     { $images ->
         [1] the GNSS position of the image does not lie
        *[other] no GNSS position of the { $images } images lies
-    } within { FIXED($within_m, digits: 0) } m of the orthophoto: as { $crs } has it, the nearest is { SIGNIFICANT($distance_km, digits: 3) } km from it. { $orthophoto_slip } All of it is searched
+    } within { FIXED($within_m, digits: 0) } m of the orthophoto: as { $crs } has it, the nearest is { SIGNIFICANT($distance_km, digits: 3) } km from it. { $place_slip } All of it is searched
 remark-orthophoto-heights =
     heights of the orthophoto's ground count from { $from_ellipsoid ->
         [true] the ellipsoid
@@ -1367,13 +1386,17 @@ on-orthophoto-by-hand =
     } by { $points } places that were measured by hand in { $linked } of { $images } images.
 on-orthophoto-not-linked = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
 
-# How an orthophoto may have come to lie elsewhere than its images.
-orthophoto-slip-zone = In zone { $zone } of UTM the orthophoto lies there: is its system named wrong?
-orthophoto-slip-exchanged = With x and y exchanged the orthophoto lies there: x is the easting.
-orthophoto-slip-other-half = In the same zone of the other half of the earth (north or south) the orthophoto lies there: is its system named wrong?
-orthophoto-slip-unit = If its coordinates are in { $given_in } the orthophoto lies there.
-orthophoto-slip-coordinate = With { $likely } in its middle the orthophoto lies there.
-orthophoto-slip-unknown = Is it the orthophoto of these images, is its system the right one, or are the positions wrong?
+# Where the image measurements of control points meet.
+control-apart-heights = these meet { FIXED($up_m, digits: 2) } m above them in the median (below them where that is negative), and hardly apart in plan. Do the heights count from another zero (--geoid-m), or are they in another unit?
+control-apart-places = these meet { FIXED($across_m, digits: 2) } m from them in plan and { FIXED($up_m, digits: 2) } m in height, in the median. Are they in another coordinate reference system, or in another unit?
+
+# How an orthophoto, or positions of a table, may have come to lie elsewhere than the images.
+place-slip-zone = In zone { $zone } of UTM that would be the place: is the system named wrong?
+place-slip-exchanged = With x and y exchanged that would be the place: x is the easting.
+place-slip-other-half = In the same zone of the other half of the earth (north or south) that would be the place: is the system named wrong?
+place-slip-unit = With coordinates in { $given_in } that would be the place.
+place-slip-coordinate = With { $likely } in the middle that would be the place.
+place-slip-unknown = Is it the orthophoto of these images, is its system the right one, or are the positions wrong?
 
 # Why a block is not in the system of an orthophoto.
 not-linked-not-oriented = it is not oriented

@@ -253,6 +253,7 @@ messages! {
         OneCoordinate,
         NearPlace { place: String, #[serde(with = "number")] within_m: f64, first: String, last: String },
         NearRadius { #[serde(with = "number")] within_m: f64, #[serde(with = "number")] least_px: f64 },
+        FoldedImage { camera: String, radial: String },
         CameraSize { width_px: usize, height_px: usize, width: usize, height: usize },
         GreyValues { width: usize, height: usize, values: usize },
 

@@ -4,11 +4,11 @@ use super::texts::NESTED;
 use super::{Message, Texts};
 use crate::json::JsonFault;
 use crate::{
-    Allowed, Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Damage, Degeneracy, DescribedBy, Document,
-    Element, Error, Failure, Few, FileFault, FileKind, FilePlace, ImageFault, ImageOperation, ImageReason, Input, Interruption, KnownWorst,
-    LengthUnit, Location, Mistake, NamedCamera, NoGeometry, NoOrientation, NotLinked, NotPlaced, Observed, OnOrthophoto, OrthophotoSlip,
-    OverviewWarning, PairHint, PairOutcome, PairRule, PairVerdict, PlaceSearch, PlacingVerdict, PlacingWeakness, PointName, Refusal,
-    Remark, Rule, Side, UnorientedReason, Unsettled, Unsupported, Warning,
+    Allowed, Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, ControlApart, Damage, Degeneracy,
+    DescribedBy, Document, Element, Error, Failure, Few, FileFault, FileKind, FilePlace, ImageFault, ImageOperation, ImageReason, Input,
+    Interruption, KnownWorst, LengthUnit, Location, Mistake, NamedCamera, NoGeometry, NoOrientation, NotLinked, NotPlaced, Observed,
+    OnOrthophoto, OverviewWarning, PairHint, PairOutcome, PairRule, PairVerdict, PlaceSearch, PlaceSlip, PlacingVerdict, PlacingWeakness,
+    PointName, Refusal, Remark, Rule, Side, UnorientedReason, Unsettled, Unsupported, Warning,
 };
 use crate::{CameraCaution, CameraOrigin};
 use serde_json::json;
@@ -45,6 +45,7 @@ fn families() -> Vec<Family> {
         family::<Allowed>(),
         family::<Axis>(),
         family::<BlockWarning>(),
+        family::<ControlApart>(),
         family::<Mistake>(),
         family::<Refusal>(),
         family::<Input>(),
@@ -81,7 +82,7 @@ fn families() -> Vec<Family> {
         family::<NotLinked>(),
         family::<NotPlaced>(),
         family::<OnOrthophoto>(),
-        family::<OrthophotoSlip>(),
+        family::<PlaceSlip>(),
         family::<PlaceSearch>(),
         family::<PlacingVerdict>(),
         family::<PlacingWeakness>(),

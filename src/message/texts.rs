@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 43] = [
+pub(super) const NESTED: [&str; 44] = [
     "allowed",
     "axis",
     "block_warning",
@@ -19,6 +19,7 @@ pub(super) const NESTED: [&str; 43] = [
     "camera_parameter",
     "cause",
     "computation",
+    "control_apart",
     "damage",
     "described",
     "document",
@@ -41,7 +42,7 @@ pub(super) const NESTED: [&str; 43] = [
     "not_linked",
     "not_placed",
     "observed",
-    "orthophoto_slip",
+    "place_slip",
     "outcome",
     "overview_warning",
     "placing_weakness",

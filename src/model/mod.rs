@@ -15,4 +15,4 @@ pub use block::{BlockModel, GeographicOrigin, ImageObservation, ModelImage, Obje
 pub use control::{ControlRole, GroundControlPoint, ObservedPosition};
 pub use description::{BlockDescription, KnownCamera, KnownImage, NamedCamera};
 pub use gnss::GnssErrors;
-pub use remark::{ImpossiblePosition, OrthophotoSlip, Remark};
+pub use remark::{ImpossiblePosition, PlaceSlip, Remark};

@@ -49,7 +49,7 @@ messages! {
         OrthophotoConverted { orthophoto: String, crs: String, accuracy_m: Option<f64> },
         /// No GNSS position of an image lies within so many m of the orthophoto, as the system that this names has it; how far off the nearest is, and what
         /// would bring the orthophoto to them.
-        OrthophotoElsewhere { images: usize, within_m: f64, distance_km: f64, crs: String, orthophoto_slip: OrthophotoSlip },
+        OrthophotoElsewhere { images: usize, within_m: f64, distance_km: f64, crs: String, place_slip: PlaceSlip },
         /// Coordinates of the orthophoto, or heights of its ground, are not in m.
         OrthophotoUnits { unit_m: f64, height_unit_m: f64 },
         /// Heights of the orthophoto's ground count from elsewhere than those of the block's system, as their file says: from what it names, above the
@@ -69,7 +69,7 @@ messages! {
     #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
     #[serde(tag = "kind", rename_all = "snake_case")]
     #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-    pub enum OrthophotoSlip as "orthophoto_slip" {
+    pub enum PlaceSlip as "place_slip" {
         /// Its coordinates are those of another zone of UTM.
         Zone { zone: u32 },
         /// x stands where y belongs.

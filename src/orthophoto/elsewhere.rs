@@ -5,8 +5,8 @@ use super::options::PlacingOptions;
 use super::reference::Orthophoto;
 use crate::crs::CoordinateSystem;
 use crate::math::dot3;
-use crate::pipeline::orthophoto_slip;
-use crate::{ExifPosition, OrthophotoSlip, Remark, local_from_geographic};
+use crate::pipeline::place_slip;
+use crate::{ExifPosition, PlaceSlip, Remark, local_from_geographic};
 
 impl Orthophoto {
     /// Whether it says a system that is known here, so that places on the earth are led into it.
@@ -33,10 +33,10 @@ impl Orthophoto {
         let distance_km = 0.001 * nearest_m?;
         let definition = self.said().definition()?;
         let gnss: Vec<[f64; 2]> = positions.iter().map(|position| [position.longitude_deg, position.latitude_deg]).collect();
-        let orthophoto_slip = orthophoto_slip(&definition, self.middle_in_system()?, &gnss, 0.5 * self.diagonal_m()?);
+        let place_slip = place_slip(&definition, self.middle_in_system()?, &gnss, 0.5 * self.diagonal_m()?);
         let (images, crs) = (positions.len(), self.said().name().unwrap_or_else(|| definition.name()));
-        let orthophoto_slip = orthophoto_slip.unwrap_or(OrthophotoSlip::Unknown);
-        Some(Remark::OrthophotoElsewhere { images, within_m, distance_km, crs, orthophoto_slip })
+        let place_slip = place_slip.unwrap_or(PlaceSlip::Unknown);
+        Some(Remark::OrthophotoElsewhere { images, within_m, distance_km, crs, place_slip })
     }
 
     /// The distance of a position from the picture in plan; on it 0. Absent where nothing says it.
@@ -112,9 +112,9 @@ mod tests {
         orthophoto.elsewhere(&positions, &PlacingOptions::default())
     }
 
-    fn slip(orthophoto: &Orthophoto) -> OrthophotoSlip {
+    fn slip(orthophoto: &Orthophoto) -> PlaceSlip {
         match said(orthophoto) {
-            Some(Remark::OrthophotoElsewhere { orthophoto_slip, .. }) => orthophoto_slip,
+            Some(Remark::OrthophotoElsewhere { place_slip, .. }) => place_slip,
             other => panic!("{other:?}"),
         }
     }
@@ -140,13 +140,13 @@ mod tests {
     #[test]
     fn how_far_an_orthophoto_is_from_its_images_is_said_from_its_border() {
         let [x, y] = coordinates(25_832, AT);
-        let Some(Remark::OrthophotoElsewhere { images: 3, within_m: 500.0, distance_km, crs, orthophoto_slip }) =
+        let Some(Remark::OrthophotoElsewhere { images: 3, within_m: 500.0, distance_km, crs, place_slip }) =
             said(&orthophoto(25_832, [x - 3200.0, y]))
         else {
             panic!("nothing is said")
         };
         assert!((distance_km - 3.0).abs() < 1e-6 && crs.contains("25832"), "{distance_km} {crs}");
-        assert_eq!(orthophoto_slip, OrthophotoSlip::Unknown);
+        assert_eq!(place_slip, PlaceSlip::Unknown);
         // In feet of the US survey the distance is in km, too: California zone 3.
         let place = [-122.0, 37.5];
         let [x, y] = coordinates(2227, place);
@@ -161,17 +161,17 @@ mod tests {
     fn what_would_bring_an_orthophoto_to_its_images_is_named_and_nothing_that_does_not() {
         let [x, y] = coordinates(25_832, AT);
         for (code, zone) in [(25_833, 32), (25_831, 32)] {
-            assert_eq!(slip(&orthophoto(code, [x, y])), OrthophotoSlip::Zone { zone });
+            assert_eq!(slip(&orthophoto(code, [x, y])), PlaceSlip::Zone { zone });
         }
-        assert_eq!(slip(&orthophoto(25_832, [y, x])), OrthophotoSlip::Exchanged);
-        assert_eq!(slip(&orthophoto(32_732, [x, y])), OrthophotoSlip::OtherHalf);
-        let coordinate = |likely: String| OrthophotoSlip::Coordinate { likely };
+        assert_eq!(slip(&orthophoto(25_832, [y, x])), PlaceSlip::Exchanged);
+        assert_eq!(slip(&orthophoto(32_732, [x, y])), PlaceSlip::OtherHalf);
+        let coordinate = |likely: String| PlaceSlip::Coordinate { likely };
         assert_eq!(slip(&orthophoto(25_832, [32_000_000.0 + x.round(), y])), coordinate(format!("x = {}", x.round())));
         assert_eq!(slip(&orthophoto(25_832, [x, 0.1 * y])), coordinate(format!("y = {y}")));
-        assert_eq!(slip(&orthophoto(25_832, [x / 0.3048, y / 0.3048])), OrthophotoSlip::Unit { given_in: "ft".into() });
+        assert_eq!(slip(&orthophoto(25_832, [x / 0.3048, y / 0.3048])), PlaceSlip::Unit { given_in: "ft".into() });
         // 60 km off in every zone, and elsewhere on the earth.
         for elsewhere in [[x + 60_000.0, y], [x + 60_000.0, y + 60_000.0]] {
-            assert_eq!(slip(&orthophoto(25_833, elsewhere)), OrthophotoSlip::Unknown);
+            assert_eq!(slip(&orthophoto(25_833, elsewhere)), PlaceSlip::Unknown);
         }
         let told = said(&orthophoto(25_833, [x, y])).unwrap().to_string();
         assert!(told.contains("500 m") && told.contains("EPSG:25833") && told.contains("zone 32"), "{told}");

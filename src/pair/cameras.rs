@@ -74,9 +74,12 @@ fn camera_of(
     photo: KnownPhoto<'_>,
 ) -> Result<Result<(CameraMm, Option<Warning>), NoOrientation>, Error> {
     let camera = match (given, photo.exif) {
-        (Some(camera), _) => {
+        (Some(camera), file) => {
             camera.check()?;
-            *camera
+            // A focal length alone is of the pixels that the file tells, unless it is a part of another image.
+            let own =
+                file.filter(|exif| !photo.has_marks && !exif.is_panorama() && exif.partial().is_none()).and_then(|exif| exif.pixel_mm);
+            CameraMm { pixel_mm: camera.pixel_mm.or(own), ..*camera }
         }
         (None, Some(exif)) if exif.is_panorama() => return Ok(Err(NoOrientation::Panorama { side })),
         (None, Some(exif)) => CameraMm::from_exif(exif)?,
@@ -101,13 +104,23 @@ fn camera_of(
     Ok(Ok((camera, part.or_else(doubt))))
 }
 
-/// Of lenses of usual cameras: so many times as far from the principal point the correction takes a corner of the image.
+/// So many times as far from the principal point the correction takes a corner of the image: of lenses of usual cameras, and of those that take fiducial
+/// marks with each photo, whose distortion is some hundredths of a mm.
 const USUAL_AT_CORNER: [f64; 2] = [0.5, 2.0];
+const USUAL_OF_FILM: [f64; 2] = [0.9, 1.1];
 
 /// What speaks against the distortion of a photo, as terms in other units do.
-fn doubt_of_lens(side: Side, camera: &CameraMm, (width, height): (usize, usize)) -> Option<Warning> {
-    let factor = Interior::from_pixel_size(camera, width, height).ok()?.corner_factor(width, height);
-    let [least, most] = USUAL_AT_CORNER;
+fn doubt_of_lens(side: Side, camera: &CameraMm, size: (usize, usize)) -> Option<Warning> {
+    doubt_of_corner(side, &Interior::from_pixel_size(camera, size.0, size.1).ok()?, size, USUAL_AT_CORNER)
+}
+
+/// The same of a scan with its interior orientation by fiducial marks.
+pub(super) fn doubt_of_scan(side: Side, interior: &Interior, size: (usize, usize)) -> Option<Warning> {
+    doubt_of_corner(side, interior, size, USUAL_OF_FILM)
+}
+
+fn doubt_of_corner(side: Side, interior: &Interior, (width, height): (usize, usize), [least, most]: [f64; 2]) -> Option<Warning> {
+    let factor = interior.corner_factor(width, height);
     (!(least..=most).contains(&factor)).then_some(Warning::DoubtfulDistortion { side, factor, least, most })
 }
 
@@ -164,6 +177,21 @@ mod tests {
     }
 
     #[test]
+    fn a_focal_length_alone_is_of_the_pixels_that_the_file_tells() {
+        let file = ExifCamera { focal_mm: 6.0, pixel_mm: Some(0.01), origin: CameraOrigin::ExifFocalPlane, ..ExifCamera::default() };
+        let photo = |exif| KnownPhoto { size: (640, 480), exif, has_marks: false };
+        let of = |exif| PairCameras::of(Some(&CameraMm::without_distortion(6.1, None)), [photo(Some(&file)), photo(exif)]).unwrap();
+        let both = of(Some(&file)).unwrap();
+        assert_eq!((both.left.focal_mm, both.left.pixel_mm, both.right.pixel_mm, both.doubt), (6.1, Some(0.01), Some(0.01), None));
+        assert_eq!(of(None).unwrap_err(), NoOrientation::NoPixelSize { side: Side::Right });
+        // Of a part of a photo nobody knows whose pixels these are.
+        let [taken_width_px, taken_height_px, width_px, height_px] = [4000, 3000, 640, 480];
+        let cropped = CameraCaution::Cropped { taken_width_px, taken_height_px, width_px, height_px };
+        let part = ExifCamera { pixel_mm: None, cautions: vec![cropped], ..file.clone() };
+        assert!(of(Some(&part)).is_err());
+    }
+
+    #[test]
     fn a_focal_length_of_no_camera_is_doubted() {
         let doubtful = |sides| Some(Warning::DoubtfulFocal { side: Side::Left, sides, least: 0.3, most: 20.0 });
         assert_eq!((doubt(160.0, None, false), doubt(16_000.0, None, false)), (doubtful(0.25), doubtful(25.0)));
@@ -185,6 +213,15 @@ mod tests {
         assert!(
             matches!(far, Some(Warning::DoubtfulDistortion { side: Side::Left, factor, .. }) if (factor - 2.6).abs() < 1e-12),
             "{far:?}"
+        );
+        // A scan of 80 mm is of a camera whose distortion is far smaller.
+        let of_film = |k1: f64| {
+            let camera = CameraMm { radial_distortion: [k1, 0.0, 0.0], ..CameraMm::without_distortion(100.0, Some(0.1)) };
+            doubt_of_scan(Side::Right, &Interior::from_pixel_size(&camera, 640, 480).unwrap(), (640, 480))
+        };
+        assert_eq!(of_film(2e-8), None);
+        assert!(
+            matches!(of_film(1e-4), Some(Warning::DoubtfulDistortion { side: Side::Right, factor, .. }) if (factor - 1.16).abs() < 1e-12)
         );
         // 3 k1 r² = -1 within the image, or in the middle alone.
         for folds in [[-0.05, 0.0, 0.0], [-0.4, 0.05, 0.0]] {

@@ -1,6 +1,6 @@
 //! The interior orientations of a pair: from fiducials, a given camera, or EXIF.
 
-use super::cameras::{KnownPhoto, PairCameras, are_scans, doubt_of_part};
+use super::cameras::{KnownPhoto, PairCameras, are_scans, doubt_of_part, doubt_of_scan};
 use super::input::{PairImage, PairInput, PhotoInput};
 use super::no_orientation::NoOrientation;
 use crate::error::refuse;
@@ -108,8 +108,15 @@ pub(super) fn pair_interior(
         Err(reason) => return Ok(Err(reason)),
     };
     let PairCameras { left: left_camera, right: right_camera, doubt, one_lens, are_scans } = cameras;
-    let own = |camera, image: PairImage<'_>, photo| photo_interior(camera, image.grey.width(), image.grey.height(), photo);
-    let (left, right) = (own(&left_camera, left, &input.left)?, own(&right_camera, right, &input.right)?);
+    let own = |side, camera, image: PairImage<'_>, photo: &PhotoInput| {
+        let size = (image.grey.width(), image.grey.height());
+        let interior = photo_interior(camera, size.0, size.1, photo)?;
+        let doubt = if photo.fiducials.is_empty() { None } else { doubt_of_scan(side, &interior, size) };
+        Ok::<_, Error>((interior, doubt))
+    };
+    let (left, left_doubt) = own(Side::Left, &left_camera, left, &input.left)?;
+    let (right, right_doubt) = own(Side::Right, &right_camera, right, &input.right)?;
+    let doubt = doubt.or(left_doubt).or(right_doubt);
     // Only directions matter: the right photo is taken to the focal length of the left one.
     let focal_mm = left_camera.focal_mm;
     Ok(Ok(PairInterior { left, right: right.scaled(focal_mm / right_camera.focal_mm), focal_mm, doubt, one_lens, are_scans }))

@@ -39,6 +39,7 @@ fn is_by_any_strategy(no_orientation: &NoOrientation) -> bool {
         NoOrientation::NoFocalLength
             | NoOrientation::NoPixelSize { .. }
             | NoOrientation::Altered { .. }
+            | NoOrientation::ContradictedFocal { .. }
             | NoOrientation::Panorama { .. }
             | NoOrientation::OnePhoto
             | NoOrientation::PartsOfOneImage

@@ -11,7 +11,7 @@ use super::rounds::{PairMatching, match_in_rounds};
 use super::settings::PairSettings;
 use super::weakness::judged;
 use crate::{
-    Degeneracy, Error, Expectation, MatchSet, NearestTable, NoGeometry, OffsetField, PointSet, RelativeOrientation, TwoView,
+    Degeneracy, Error, Expectation, MatchSet, NearestTable, NoGeometry, OffsetField, PointSet, RelativeOrientation, TwoView, Warning,
     estimate_offset,
 };
 use serde::{Deserialize, Serialize};
@@ -95,6 +95,44 @@ pub fn match_described_pair(
             Err(error) => Err(NoOrientation::Refused { error }),
         },
     };
+    let orientation = orientation.map_err(|reason| by_camera(reason, interior.as_ref().ok()));
     let [left, right] = described.map(|image| image.set);
     Ok(PairResult { left, right, offset, matching, geometry, interior: interior.ok(), orientation })
+}
+/// So many times as long a focal length as the file says, or as short, explains that nothing fits.
+const FAR_OFF: f64 = 2.0;
+
+/// Why there is no orientation: by a given focal length that is far from that of the file, where nothing fits.
+fn by_camera(reason: NoOrientation, interior: Option<&PairInterior>) -> NoOrientation {
+    let fits_nothing = matches!(reason, NoOrientation::Refused { .. } | NoOrientation::NoGeometry { .. });
+    match interior.and_then(|interior| interior.doubt).filter(|_| fits_nothing) {
+        Some(Warning::ContradictedFocal { side, given_px, file_px }) if !(1.0 / FAR_OFF..=FAR_OFF).contains(&(given_px / file_px)) => {
+            NoOrientation::ContradictedFocal { side, given_px, file_px }
+        }
+        _ => reason,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{CameraMm, Interior, Side};
+
+    #[test]
+    fn a_focal_length_far_from_that_of_the_file_explains_that_nothing_fits() {
+        let own = Interior::from_pixel_size(&CameraMm::without_distortion(6.0, Some(0.01)), 640, 480).unwrap();
+        let told = |reason: NoOrientation, given_px| {
+            let doubt = Some(Warning::ContradictedFocal { side: Side::Left, given_px, file_px: 600.0 });
+            let interior = PairInterior { left: own, right: own, focal_mm: 6.0, doubt, one_lens: true, are_scans: false };
+            by_camera(reason, Some(&interior))
+        };
+        let refused = || NoOrientation::Refused {
+            error: Error::Degenerate { cause: crate::Cause::NoPosition, computation: crate::Computation::RelativeOrientation },
+        };
+        for given_px in [60.0, 60_000.0] {
+            assert_eq!(told(refused(), given_px), NoOrientation::ContradictedFocal { side: Side::Left, given_px, file_px: 600.0 });
+        }
+        assert_eq!(told(refused(), 800.0), refused());
+        assert_eq!(told(NoOrientation::OnePhoto, 60.0), NoOrientation::OnePhoto);
+    }
 }

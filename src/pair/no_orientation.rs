@@ -20,6 +20,8 @@ messages! {
         NoPixelSize { side: Side },
         /// The same of an image that was cropped or resized, so that nobody knows how many px its focal length has.
         Altered { side: Side, camera_caution: CameraCaution },
+        /// With the focal length that was given nothing fits, and the file of a photo says another one, in px.
+        ContradictedFocal { side: Side, given_px: f64, file_px: f64 },
         /// An image of no central perspective.
         Panorama { side: Side },
         NoGeometry { no_geometry: NoGeometry },

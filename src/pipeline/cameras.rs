@@ -53,6 +53,26 @@ impl InitialCamera {
     }
 }
 
+/// So far on the way to the corners, at least, distortion must not fold an image: calibrated lenses of wide angle may do so in the corners.
+const UNFOLDED: f64 = 0.6;
+
+/// Refuses distortion that folds images, as terms in other units do.
+///
+/// # Errors
+/// [`Error::InvalidInput`], naming the camera and its terms.
+pub(super) fn check_distortion(cameras: &[InitialCamera]) -> Result<(), Error> {
+    let folds = |camera: &&InitialCamera| {
+        let Some(known) = camera.known() else { return false };
+        let ([cx, cy], [width, height]) = (known.principal_point_px, [camera.width_px, camera.height_px].map(f64::from));
+        let corners = [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]];
+        corners.iter().any(|[x, y]| known.direction([cx + UNFOLDED * (x - cx), cy + UNFOLDED * (y - cy)]).is_err())
+    };
+    match cameras.iter().find(folds) {
+        Some(InitialCamera { label, radial, .. }) => refuse(Refusal::FoldedImage { camera: label.clone(), radial: format!("{radial:?}") }),
+        None => Ok(()),
+    }
+}
+
 /// Cameras of a file, which take the place of those of EXIF.
 #[derive(Debug, Clone, Default)]
 pub struct CameraRules(Vec<CameraRule>);
@@ -346,5 +366,19 @@ mod tests {
                 "the focal length of p*, 640 x 480 px is 9 px, 0.014 of the longer side of the image, where 0.3 to 20 are usual: is it in mm?"
             ]
         );
+    }
+
+    #[test]
+    fn distortion_that_folds_images_within_their_corners_is_refused() {
+        let told = |radial: [f64; 3]| {
+            let known = KnownCamera { radial, ..KnownCamera::of_size(900, 700, Some(1062.5)) };
+            let camera = InitialCamera::new("*.jpg, 900 x 700 px".into(), &known);
+            check_distortion(&[camera]).map_err(|error| error.to_string()).err()
+        };
+        for usual in [[0.0; 3], [-0.3, 0.1, 0.0], [0.5, 0.0, 0.0], [-0.7, 0.0, 0.0]] {
+            assert_eq!(told(usual), None, "{usual:?}");
+        }
+        let folded = told([-2.5, 0.0, 0.0]).unwrap();
+        assert!(folded.contains("*.jpg, 900 x 700 px: got [-2.5, 0.0, 0.0], which folds the image"), "{folded}");
     }
 }

@@ -92,7 +92,7 @@ impl BlockRun {
             model.surveyed.clear();
         }
         explain_control(&mut model, assembly.origin, &input, options.adjustment.limit());
-        tell_elsewhere(&mut model, &as_found, &found.unknown_images);
+        tell_elsewhere(&mut model, &as_found, &found.unknown_images, &found.images, &input);
         tell_after_edits(&mut model, &before.models[0], &description);
         let by_hand = if is_linked { None } else { placed_by_hand(&model, edits, as_found.control.len(), in_crs) };
         assembly.models[0] = model;

@@ -290,7 +290,7 @@ impl<'a> Ground<'a> {
         let origin = origin_of(&description)?;
         let checked = input.clone().checked(found.geoid.as_ref())?;
         explain_control(&mut model, origin, &checked, reconstruction_options(&checked.settings).adjustment.limit());
-        tell_elsewhere(&mut model, &description, &found.unknown_images);
+        tell_elsewhere(&mut model, &description, &found.unknown_images, &found.images, &checked);
         if let Some(before) = found.reconstruction.as_ref().ok().and_then(|assembly| assembly.models.first()) {
             tell_by_ground(&mut model, before, &description);
         }

@@ -3,12 +3,25 @@
 
 use super::input::Checked;
 use super::place_names::own_control;
+use super::recorded_positions::of_table;
+use super::result::RunImage;
 use super::system::{in_other_zone, system_of};
 use crate::reconstruction::Doubted;
 use crate::{BlockDescription, BlockWarning, ControlRole, GeographicOrigin, Mistake, ReconstructedModel, geographic_from_local};
 
-/// Says that no image of the block shows any of the points that were given. `unknown`: the images that the table of measurements names in their place.
-pub(super) fn tell_elsewhere(model: &mut ReconstructedModel, description: &BlockDescription, unknown: &[String]) {
+/// Says that what was given is of elsewhere: GNSS positions of a table beside those that the files of the images record, and points that no image of the block
+/// shows. `unknown`: the images that the table of measurements names in their place.
+pub(super) fn tell_elsewhere(
+    model: &mut ReconstructedModel,
+    description: &BlockDescription,
+    unknown: &[String],
+    images: &[RunImage],
+    input: &Checked,
+) {
+    if let Some(warning) = of_table(images, &input.settings.placing).filter(|_| input.use_gnss) {
+        // It explains what else is weak.
+        model.warnings.insert(0, warning);
+    }
     let given = &description.control[..own_control(description)];
     if given.is_empty() || given.iter().any(|point| !point.measurements.is_empty()) {
         return;

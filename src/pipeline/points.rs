@@ -112,7 +112,7 @@ fn orient(state: &mut State) -> Result<(), Error> {
         let origin = reconstruction.origin;
         for model in &mut reconstruction.models {
             explain_control(model, origin, &state.input, options.adjustment.limit());
-            tell_elsewhere(model, &state.description, &state.unknown_images);
+            tell_elsewhere(model, &state.description, &state.unknown_images, &state.images, &state.input);
         }
         let model = reconstruction.models.first().map(|_| reconstruction.block_model(0, &state.description, &state.points)).transpose()?;
         Ok((reconstruction, model))

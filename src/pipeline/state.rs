@@ -1,6 +1,6 @@
 //! What a run knows, from stage to stage.
 
-use super::cameras::{contradicted, doubtful};
+use super::cameras::{check_distortion, contradicted, doubtful};
 use super::control::{LEAST_CONTROL, control_point};
 use super::input::{Checked, RunInput};
 use super::observed::observed_position;
@@ -247,6 +247,7 @@ pub(super) fn describe_with(
     images: &[RunImage],
     cameras: &[InitialCamera],
 ) -> Result<(BlockDescription, Vec<String>), Error> {
+    check_distortion(cameras)?;
     let placing = &input.settings.placing;
     let places: Vec<[f64; 2]> =
         images.iter().filter_map(|image| gnss(input, image)).map(|place| [place.longitude_deg, place.latitude_deg]).collect();
@@ -305,9 +306,10 @@ impl BlockRun {
 
     /// Whether GNSS positions place it in the system of its ground control points: in that which was chosen, with heights that count from where theirs do.
     pub(crate) fn has_known_zero(&self) -> bool {
-        let of_table =
-            self.input.use_gnss && self.images.iter().all(|image| image.gnss().is_none() || image.given.is_some_and(|given| given.in_crs));
-        self.system().is_some_and(|system| system.zero().is_known() || (of_table && self.gnss_positions().next().is_some()))
+        let has_height = |image: &&RunImage| image.gnss().is_some_and(|position| position.height_m.is_some());
+        let placing =
+            |system: &CoordinateSystem| self.images.iter().filter(has_height).filter(|image| has_height_of(image, system.zero())).count();
+        self.input.use_gnss && self.system().is_some_and(|system| placing(&system) >= LEAST_CONTROL)
     }
 
     /// The coordinate reference system that was chosen, at the place of the block; absent where none was, and where the block has no place on the earth.

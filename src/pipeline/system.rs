@@ -6,8 +6,7 @@ use crate::formats::{LENGTHS, StatedUnit};
 use crate::math::{dot3, median, turn};
 use crate::reconstruction::Doubted;
 use crate::{
-    Axis, Error, GeoreferencingOptions, GroundControlPoint, Input, Mistake, ObservedPosition, OrthophotoSlip, Refusal,
-    local_from_geographic,
+    Axis, Error, GeoreferencingOptions, GroundControlPoint, Input, Mistake, ObservedPosition, PlaceSlip, Refusal, local_from_geographic,
 };
 
 /// No block has ground control points farther from its images.
@@ -181,7 +180,7 @@ struct Slip {
 
 /// How an orthophoto that lies elsewhere than GNSS positions may have come there, by the coordinates of its middle, in the unit of its system, and how far
 /// it reaches from there in m; absent where nothing known brings it to them.
-pub(crate) fn orthophoto_slip(definition: &Definition, [x, y]: [f64; 2], gnss: &[[f64; 2]], extent_m: f64) -> Option<OrthophotoSlip> {
+pub(crate) fn place_slip(definition: &Definition, [x, y]: [f64; 2], gnss: &[[f64; 2]], extent_m: f64) -> Option<PlaceSlip> {
     let images = middle_of_places(gnss)?;
     let system = CoordinateSystem::new(definition.clone(), None, images).ok()?;
     let reach_m = reach_m(gnss, images) + extent_m;
@@ -192,15 +191,15 @@ pub(crate) fn orthophoto_slip(definition: &Definition, [x, y]: [f64; 2], gnss: &
     // Eastings with the number of the zone before them, where the system has them without.
     let short_x = libm::fmod(x, ZONE_PREFIX);
     let is_prefixed = || x > ZONE_PREFIX && doubted.explains([short_x, y, 0.0]);
-    zone.map(|zone| OrthophotoSlip::Zone { zone })
-        .or_else(|| swapped.then_some(OrthophotoSlip::Exchanged))
-        .or_else(|| (is_utm() && other_half()).then_some(OrthophotoSlip::OtherHalf))
+    zone.map(|zone| PlaceSlip::Zone { zone })
+        .or_else(|| swapped.then_some(PlaceSlip::Exchanged))
+        .or_else(|| (is_utm() && other_half()).then_some(PlaceSlip::OtherHalf))
         .or_else(|| {
             let (given_in, _) = unit_beside(definition, [x, y], Some((images, reach_m)))?;
-            Some(OrthophotoSlip::Unit { given_in: given_in.into() })
+            Some(PlaceSlip::Unit { given_in: given_in.into() })
         })
-        .or_else(|| is_prefixed().then(|| OrthophotoSlip::Coordinate { likely: format!("x = {short_x}") }))
-        .or_else(|| likely.map(|likely| OrthophotoSlip::Coordinate { likely }))
+        .or_else(|| is_prefixed().then(|| PlaceSlip::Coordinate { likely: format!("x = {short_x}") }))
+        .or_else(|| likely.map(|likely| PlaceSlip::Coordinate { likely }))
 }
 
 /// The northing of the equator on the southern half of UTM, and what stands before an easting that begins with the number of its zone, in m.

@@ -45,24 +45,36 @@ impl CommonShift {
         let parts: Vec<Part> = places.iter().map(|place| Part::Point(*place)).collect();
         let (block, accepted) = model.with_support();
         let covariances = model.adjusted.covariances(&block, &accepted, &parts).ok().filter(|_| !points.is_empty())?;
-        let number = points.len() as f64;
-        // Of the sum of all differences: that of the block's places, and that of each survey by itself.
         let variance = |k: usize| {
             let of_axis = |(_, unknown, _): &(usize, Unknown, f64)| *unknown == Unknown::Coordinate(k);
-            let is: Vec<bool> = covariances.unknowns.iter().map(of_axis).collect();
-            let chosen = |values: &[f64]| values.iter().zip(&is).filter(|(_, is)| **is).map(|(value, _)| value).sum::<f64>();
-            let of_block: f64 = covariances.rows.iter().zip(&is).filter(|(_, is)| **is).map(|(row, _)| chosen(row)).sum();
+            let own: Vec<usize> = (0..covariances.unknowns.len()).filter(|at| of_axis(&covariances.unknowns[*at])).collect();
+            let of_block: f64 = own.iter().map(|row| own.iter().map(|column| covariances.rows[*row][*column]).sum::<f64>()).sum();
+            let of_places: f64 = own.iter().map(|at| covariances.rows[*at][*at]).sum();
             let of_survey = points.iter().zip(&places).map(|(point, place)| {
                 let (whole, own) = (point.standard_errors_m[k].unwrap_or(0.0), model.adjusted.points[*place].and_then(|is| is.errors));
                 (whole * whole - own.map_or(0.0, |own| own[k] * own[k])).max(0.0)
             });
-            of_block + of_survey.sum::<f64>()
+            let of_survey: f64 = of_survey.sum();
+            variance_of_median(points.len(), of_block + of_survey, of_places + of_survey)
         };
         let difference = |k: usize| median(&mut points.iter().map(|point| point.difference_m[k]).collect::<Vec<_>>());
         let [x, y, z] = [0, 1, 2].map(difference);
-        let errors_m = [0, 1, 2].map(|k| MEDIAN_BY_MEAN * variance(k).max(0.0).sqrt() / number);
+        let errors_m = [0, 1, 2].map(|k| variance(k).max(0.0).sqrt());
         Some(Self { difference_m: [x?, y?, z?], errors_m, points: points.len() })
     }
+}
+
+/// The variance of the median of differences. `of_sum`: that of their sum, by all of their covariances; `together`: theirs, added up.
+///
+/// What they share moves median and mean alike; what each has by itself moves the median further. Of one or two the median is the mean.
+fn variance_of_median(number: usize, of_sum: f64, together: f64) -> f64 {
+    let count = number as f64;
+    let of_mean = of_sum / (count * count);
+    if number < 3 {
+        return of_mean;
+    }
+    let shared = (of_sum - together) / (count * (count - 1.0));
+    of_mean + (MEDIAN_BY_MEAN * MEDIAN_BY_MEAN - 1.0) * (together / count - shared).max(0.0) / count
 }
 
 /// What the places of an orthophoto share of the standard error of one: as far as that it may be off as a whole.
@@ -83,4 +95,25 @@ pub(super) fn of_check_points(model: &ReconstructedModel, known: &Known<'_>) -> 
         difference_m: shift.difference_m[axis.index()],
         error_m: error(axis),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_median_errs_more_than_a_mean_by_what_each_has_by_itself_alone() {
+        // Errors that are wholly common: variance 4 each, and of the sum of n of them 4 n².
+        for number in [1, 2, 3, 8] {
+            let n = number as f64;
+            assert!((variance_of_median(number, 4.0 * n * n, 4.0 * n) - 4.0).abs() < 1e-12, "{number}");
+        }
+        // Errors of each by itself: pi / 2 times that of the mean.
+        let alone = variance_of_median(8, 32.0, 32.0);
+        assert!((alone / 0.5 - std::f64::consts::FRAC_PI_2).abs() < 1e-4, "{alone}");
+        assert!((variance_of_median(2, 8.0, 8.0) - 2.0).abs() < 1e-12);
+        // 3 in common and 1 alone.
+        let both = variance_of_median(10, 100.0 * 3.0 + 10.0, 40.0);
+        assert!((both - (3.0 + 0.1 * std::f64::consts::FRAC_PI_2)).abs() < 1e-4, "{both}");
+    }
 }

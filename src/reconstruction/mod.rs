@@ -52,4 +52,4 @@ pub use result::{
     SupportingRay, SurveyedPoint, UnorientedImage,
 };
 pub(crate) use single::resect_image;
-pub use warning::{BlockWarning, LengthUnit, Observed, RejectedPosition, UnorientedReason};
+pub use warning::{BlockWarning, ControlApart, LengthUnit, Observed, RejectedPosition, UnorientedReason};

@@ -13,7 +13,7 @@ use super::placing::Placing;
 use super::result::{PointSource, ReconstructedModel};
 use super::units::of_units;
 use super::warning::{BlockWarning, Observed, RejectedPosition, UNKNOWN_TURN_DEG};
-use crate::adjustment::{ObservationVerdict, PriorStatistics, SystematicError, SystematicVerdict};
+use crate::adjustment::{Datum, ObservationVerdict, PriorStatistics, SystematicError, SystematicVerdict};
 use crate::math::{MEDIAN_BY_MEAN, NORMAL_MEDIAN, median};
 use crate::model::{BlockDescription, ControlRole};
 use crate::pair::LARGEST_SIGMA0_PX;
@@ -52,11 +52,11 @@ pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: P
         Placing::Free { cause } => Some(BlockWarning::Free { cause }),
     });
     let own_control = known.options.tested_control.unwrap_or(usize::MAX);
-    found.extend(of_lost(model, description, own_control));
+    found.extend(of_lost(model, description, frame, own_control));
     found.extend(of_sigma(model));
     found.extend(of_weights(model));
     found.extend(of_positions(model, description, frame));
-    found.extend(of_common_positions(model, known.options.adjustment.limit()));
+    found.extend(of_common_positions(model, frame, known.options.adjustment.limit()));
     found.extend(of_position_errors(model));
     found.extend(scale);
     found.extend(of_control(model, known, tests));
@@ -129,14 +129,14 @@ fn of_positions(model: &ReconstructedModel, description: &BlockDescription, fram
         Some(RejectedPosition { name: description.images[*image].name.clone(), distance_m: (x * x + y * y + z * z).sqrt() })
     });
     let images: Vec<RejectedPosition> = images.collect();
-    let level = (frame.is_levelled && model.adjusted.datum.uses_gnss()).then_some(BlockWarning::NoHeights);
+    let level = (frame.is_levelled && model.adjusted.datum == Datum::Gnss).then_some(BlockWarning::NoHeights);
     level.into_iter().chain((!images.is_empty()).then_some(BlockWarning::PositionsRejected { images })).collect()
 }
 
 /// What all GNSS positions differ by from the block that ground control places, as heights above the ellipsoid do from those above the sea: no single
 /// one of them shows it. Residuals of a coordinate have no more in common by chance than their standard errors say, or their scatter where these are
 /// stated too small, whatever the adjustment took of it.
-fn of_common_positions(model: &ReconstructedModel, limit: f64) -> Option<BlockWarning> {
+fn of_common_positions(model: &ReconstructedModel, frame: &Frame, limit: f64) -> Option<BlockWarning> {
     let datum = model.adjusted.datum;
     if !datum.uses_gnss() || !datum.uses_control() || model.adjusted.systematic.is_some() {
         return None;
@@ -155,9 +155,12 @@ fn of_common_positions(model: &ReconstructedModel, limit: f64) -> Option<BlockWa
         let mut around: Vec<f64> = sizes.iter().map(|size| (size - middle).abs()).collect();
         let scatter = (median(&mut around)? / NORMAL_MEDIAN).max(1.0);
         let times = middle.abs() / scatter * (number as f64).sqrt() / MEDIAN_BY_MEAN;
-        Some((times, BlockWarning::PositionsApart { axis, difference_m: median(&mut residuals)?, times }))
+        let focal = axis == Axis::Z && model.adjusted.block.cameras.iter().any(|camera| camera.free.focal);
+        Some((times, BlockWarning::PositionsApart { axis, difference_m: median(&mut residuals)?, times, focal }))
     };
-    let apart = Axis::ALL.into_iter().filter_map(of_axis).filter(|(times, _)| *times > limit);
+    // What a height that was not recorded differs by tells nothing.
+    let observed = Axis::ALL.into_iter().filter(|axis| !(frame.is_levelled && *axis == Axis::Z));
+    let apart = observed.filter_map(of_axis).filter(|(times, _)| *times > limit);
     apart.max_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, warning)| warning)
 }
 

@@ -6,12 +6,13 @@ use super::result::{PointSource, ReconstructedModel, RefusedControl, SurveyedPoi
 use crate::adjustment::{LeftOut, ObservationVerdict};
 use crate::{GroundControlPoint, ObservedPosition};
 
-/// The surveyed points of a model that lies in their system, in the order of its points: by control points, or by GNSS positions of the same system.
+/// The surveyed points of a model that lies in their system, in the order of its points: by control points, or by GNSS positions of the same system whose
+/// heights are known.
 pub(super) fn surveyed_points(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTests) -> Vec<SurveyedPoint> {
     let Known { description, frame, .. } = known;
     let datum = model.adjusted.datum;
     let is_in_frame = |point: &GroundControlPoint| matches!(point.position, ObservedPosition::Geographic { .. }) == frame.origin.is_some();
-    let is_by_gnss = || datum.uses_gnss() && description.control.iter().all(is_in_frame);
+    let is_by_gnss = || datum.uses_gnss() && !frame.is_levelled && description.control.iter().all(is_in_frame);
     if !model.in_system || !(datum.uses_control() || is_by_gnss()) {
         return Vec::new();
     }

@@ -2,7 +2,7 @@
 
 use super::mistake::{Axis, Mistake};
 use crate::message::messages;
-use crate::{CameraParameter, Cause, NamedCamera};
+use crate::{CameraParameter, Cause, NamedCamera, PlaceSlip};
 use serde::{Deserialize, Serialize};
 
 messages! {
@@ -23,13 +23,21 @@ messages! {
         /// The GNSS positions hardly tell the rotation of the whole block (`error_deg`; absent: not at all): it was levelled, by directions of
         /// view that were `recorded`, or by views that are taken as vertical on average.
         Levelled { recorded: bool, error_deg: Option<f64>, level_deg: f64 },
-        /// The GNSS positions have no heights.
+        /// No heights of GNSS positions take part: they have none, or count from elsewhere than those of surveyed points.
         NoHeights,
         /// GNSS positions that do not fit.
         PositionsRejected { images: Vec<RejectedPosition> },
         /// A coordinate in which all GNSS positions differ alike from the block that ground control places. `difference_m`: that of the positions minus that
-        /// of the block, in the median; `times`: by the standard error of such a median.
-        PositionsApart { axis: Axis, difference_m: f64, times: f64 },
+        /// of the block, in the median; `times`: by the standard error of such a median. `focal`: focal lengths that are estimated follow heights.
+        PositionsApart {
+            axis: Axis,
+            difference_m: f64,
+            times: f64,
+            #[serde(default)]
+            focal: bool,
+        },
+        /// GNSS positions that a table gives to so many images lie elsewhere than those that their files record, by so much in the median.
+        PositionsElsewhere { images: usize, distance_km: f64, place_slip: Option<PlaceSlip> },
         /// σ₀ is above what matching reaches.
         Imprecise { sigma0_px: f64, most_px: f64 },
         /// Weights by the residuals still changed after so many rounds.
@@ -68,8 +76,14 @@ messages! {
         /// The block has no adjustment with these GCPs, which lie far from where the others have them: they take no part, and the others do not place it.
         ControlUnadjusted { names: Vec<String> },
         /// So many of the GCPs that are measured in two of its images or more are lost, since their image measurements do not meet. `from_bottom`: those of most
-        /// of them would, if rows were counted from the bottom of the images.
-        ControlLost { lost: usize, points: usize, from_bottom: bool },
+        /// of them would, if rows were counted from the bottom of the images. `control_apart`: they meet, so far from the coordinates of the points.
+        ControlLost {
+            lost: usize,
+            points: usize,
+            from_bottom: bool,
+            #[serde(default)]
+            control_apart: Option<ControlApart>,
+        },
         /// GCPs were given, and nothing places the block: so many of them are `measured` in two of its images or more, and the measurements of so many meet
         /// (`taken`).
         ControlWithoutPlace { given: usize, measured: usize, taken: usize },
@@ -144,7 +158,10 @@ impl BlockWarning {
             Self::Levelled { recorded, error_deg, .. } => !recorded && error_deg.is_none_or(|error| error > UNKNOWN_TURN_DEG),
             // The block is what it is without check points.
             Self::ControlElsewhere { check, .. } => !check,
-            Self::UnknownRotation { .. }
+            // Heights of another zero make focal lengths wrong, and with them the heights of the images.
+            Self::PositionsApart { focal, .. } => *focal,
+            Self::PositionsElsewhere { .. }
+            | Self::UnknownRotation { .. }
             | Self::UncertainRotation { .. }
             | Self::LookingUp { .. }
             | Self::Imprecise { .. }
@@ -165,7 +182,6 @@ impl BlockWarning {
             | Self::ManyRejected { .. } => true,
             Self::NoHeights
             | Self::PositionsRejected { .. }
-            | Self::PositionsApart { .. }
             | Self::WeightsNotConverged { .. }
             | Self::PositionErrorsUndetermined { .. }
             | Self::PositionErrorsRelative { .. }
@@ -179,6 +195,18 @@ impl BlockWarning {
             | Self::FewObservations { .. }
             | Self::TwoRays { .. } => false,
         }
+    }
+}
+
+messages! {
+    /// Where the image measurements of GCPs meet: so far from their coordinates in plan, and so far above them, in m, in the median of their coordinates.
+    #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum ControlApart as "control_apart" {
+        /// Hardly apart in plan.
+        Heights { up_m: f64 },
+        Places { across_m: f64, up_m: f64 },
     }
 }
 

@@ -155,7 +155,7 @@ test('an orthophoto that lies elsewhere than its images is doubted before they a
   const doubted = place(map);
   assert.match(doubted.stderr, /no GNSS position of the 2 images lies within 500 m of the orthophoto: as EPSG:25833 has it.* km from it\. In zone 32 of UTM/);
   assert.equal(doubted.remarks.length, 1);
-  assert.deepEqual([doubted.remarks[0].kind, doubted.remarks[0].orthophoto_slip], ['orthophoto_elsewhere', { kind: 'zone', zone: 32 }]);
+  assert.deepEqual([doubted.remarks[0].kind, doubted.remarks[0].place_slip], ['orthophoto_elsewhere', { kind: 'zone', zone: 32 }]);
   // It is searched all the same.
   assert.ok(
     doubted.images.every((/** @type {any} */ { placement }) => placement !== null),

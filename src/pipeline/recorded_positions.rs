@@ -1,0 +1,81 @@
+//! GNSS positions of a table beside those that the files of the images record: a wrong system shows there before it shows anywhere else.
+
+use super::result::RunImage;
+use super::system::{middle_of_places, place_slip};
+use crate::crs::{CoordinateSystem, Definition};
+use crate::math::median;
+use crate::{BlockWarning, ExifPosition, GeoreferencingOptions, local_from_geographic};
+
+/// Positions that files record are right to some 10 m; by a slow receiver, or seconds without decimals, to some tens.
+const USUAL_KM: f64 = 0.1;
+/// Of longitudes and latitudes.
+const GEOGRAPHIC: &str = "EPSG:4326";
+
+/// Says that the positions of a table lie elsewhere than those that the files record, and what would bring them there.
+pub(super) fn of_table(images: &[RunImage], placing: &GeoreferencingOptions) -> Option<BlockWarning> {
+    let place = |position: &ExifPosition| [position.longitude_deg, position.latitude_deg];
+    let both = images.iter().filter_map(|image| Some((image.given.as_ref()?, image.exif.position.as_ref()?)));
+    let both: Vec<Both> = both.map(|(given, recorded)| Both { given: place(&given.position), recorded: place(recorded) }).collect();
+    let in_crs = images.iter().filter_map(|image| image.given.as_ref()).all(|given| given.in_crs);
+    elsewhere(&both, || if in_crs { placing.definition().ok()? } else { Definition::read(GEOGRAPHIC).ok() })
+}
+
+/// Longitude and latitude of an image by the table and by its file.
+struct Both {
+    given: [f64; 2],
+    recorded: [f64; 2],
+}
+
+/// `definition`: the system in which the table has them.
+fn elsewhere(both: &[Both], definition: impl FnOnce() -> Option<Definition>) -> Option<BlockWarning> {
+    let apart_km = |Both { given: [x, y], recorded: [longitude, latitude] }: &Both| {
+        // Along the chord.
+        let [east, north, up] = local_from_geographic([*x, *y, 0.0], [*longitude, *latitude, 0.0]);
+        0.001 * libm::hypot(libm::hypot(east, north), up)
+    };
+    let distance_km = median(&mut both.iter().map(apart_km).collect::<Vec<_>>()).filter(|km| *km > USUAL_KM)?;
+    let slip = || {
+        let definition = definition()?;
+        let middle = middle_of_places(&both.iter().map(|one| one.given).collect::<Vec<_>>())?;
+        let system = CoordinateSystem::new(definition.clone(), None, middle).ok()?;
+        let [x, y, _] = system.coordinates([middle[0], middle[1], 0.0])?;
+        let recorded: Vec<[f64; 2]> = both.iter().map(|one| one.recorded).collect();
+        place_slip(&definition, [x, y], &recorded, 0.0)
+    };
+    Some(BlockWarning::PositionsElsewhere { images: both.len(), distance_km, place_slip: slip() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is said of a table in a system that has images about 8° and 50° there.
+    fn told(crs: &str, given: impl Fn([f64; 2]) -> [f64; 2]) -> String {
+        let recorded = (0..6).map(|k| [8.0 + 0.001 * f64::from(k % 3), 50.0 + 0.001 * f64::from(k / 3)]);
+        let both: Vec<Both> = recorded.map(|recorded| Both { given: given(recorded), recorded }).collect();
+        elsewhere(&both, || Definition::read(crs).ok()).map_or_else(String::new, |warning| warning.to_string())
+    }
+
+    #[test]
+    fn positions_of_a_table_lie_where_their_images_record_theirs_or_it_is_said_what_brings_them_there() {
+        // Receivers err by metres.
+        assert_eq!(told("EPSG:4326", |[x, y]| [x + 0.0003, y - 0.0003]), "");
+        // The same eastings and northings in the zone beside theirs.
+        let in_zone = |crs: &str, [x, y]: [f64; 2]| {
+            let system = |crs: &str| CoordinateSystem::new(Definition::read(crs).unwrap(), None, [8.0, 50.0]).unwrap();
+            let plane = system("EPSG:25832").coordinates([x, y, 0.0]).unwrap();
+            let there = CoordinateSystem::about(Definition::read(crs).unwrap(), None, [plane[0], plane[1]]).unwrap();
+            let [longitude, latitude, _] = there.geographic(plane).unwrap();
+            [longitude, latitude]
+        };
+        let zone = told("EPSG:25833", |place| in_zone("EPSG:25833", place));
+        assert!(zone.contains("4") && zone.contains("km from those that the files of 6 images record"), "{zone}");
+        assert!(zone.contains("In zone 32 of UTM that would be the place"), "{zone}");
+        let exchanged = told("EPSG:4326", |[x, y]| [y, x]);
+        assert!(exchanged.contains("With x and y exchanged"), "{exchanged}");
+        let sign = told("EPSG:4326", |[x, y]| [-x, y]);
+        assert!(sign.contains("With x = 8.001 in the middle that would be the place"), "{sign}");
+        let other = told("EPSG:4326", |[x, y]| [x + 0.3, y - 1.1]);
+        assert!(other.ends_with("Are they of these images, and in the system that is named?"), "{other}");
+    }
+}
