@@ -273,7 +273,7 @@ fn heights_of_another_zero_are_said_beside_positions_that_are_surer_than_they_di
         _ => None,
     });
     let Some(Some(ControlApart::Heights { up_m })) = apart else { panic!("{:?}", model.warnings) };
-    assert!((up_m + 47.0).abs() < 0.5, "{up_m} m");
+    assert!((up_m + 47.0).abs() < 1.0, "{up_m} m");
 }
 
 #[test]
