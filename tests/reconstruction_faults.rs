@@ -74,7 +74,7 @@ fn positions_without_heights_place_a_block_that_is_taken_as_level() {
     let reconstruction = scene.assert_all("no heights", 2.0);
     let model = &reconstruction.models[0];
     assert!(model.in_system && model.adjusted.datum == Datum::Gnss);
-    assert!(says(&reconstruction, &["no heights", "level"]), "{:?}", model.warnings);
+    assert!(says(&reconstruction, &["No heights of GNSS positions", "level"]), "{:?}", model.warnings);
     // Heights count from the mean of the flight; what is told of them is that they are uncertain.
     let heights: Vec<f64> = model.adjusted.block.images.iter().map(|image| image.pose.position[2]).collect();
     let mean = heights.iter().sum::<f64>() / heights.len() as f64;
