@@ -801,6 +801,11 @@ remark-unmeasured-points =
         [0] {""}
        *[other] {" "}و{ $points_more } أخرى
     }
+remark-points-without-coordinates =
+    نقاط بلا إحداثيات في جدول نقاط الضبط ولا تشارك: { $points }{ $points_more ->
+        [0] {""}
+       *[other] {" "}و{ $points_more } أخرى
+    }
 remark-unknown-points =
     قياسات صورية لا تشارك لأن نقاطها ليست في جدول نقاط الضبط: { $points }{ $points_more ->
         [0] {""}
@@ -1090,6 +1095,7 @@ refusal-name-with-blanks = ‏{ $format }: أُعطي اسم الصورة '{ $na
 refusal-name-of-no-file = ‏{ $format }: أُعطي اسم الصورة '{ $name }'؛ المسموح: أسماء ملفات في مجلد
 refusal-long-name = ‏{ $format }: أُعطي اسم الصورة '{ $name }' بطول { $bytes } بايت؛ المسموح: أسماء حتى { $most } بايت
 refusal-no-records = { $input }: أُعطي { $words }؛ المسموح: أسطر من حقول تفصلها فواصل منقوطة أو علامات جدولة أو فواصل أو مسافات
+refusal-quoted-lines = { $input }: أُعطي '{ $record }' من السطر { $line }، وفيه حقل بين علامتي اقتباس يمتد إلى السطر التالي؛ المسموح: علامات اقتباس تُغلق في سطرها
 refusal-no-column = { $input }: ليس العمود { $column } في السطر الأول '{ $names }'؛ المسموح: سطر أول يسمي الأعمدة { $columns }
 refusal-column-again = { $input }: أُعطي العمود { $column } مرتين؛ المسموح: سطر أول يسمي الأعمدة { $columns }
 refusal-no-value = { $input }: لا قيمة في { $column } في السطر { $line }؛ المسموح: أعداد منتهية بنقطة عشرية
@@ -1113,7 +1119,14 @@ refusal-measured-names = جدول القياسات الصورية: ليس في �
 refusal-measured-again = جدول القياسات الصورية: تكررت النقطة '{ $point }' في الصورة '{ $image }' في السطر { $line }؛ المسموح: أسطر من image وpoint وx وy بنقاط عشرية، كل نقطة مرة واحدة في الصورة
 refusal-position-column = جدول مواضع الصور: ليس في السطر الأول '{ $names }' عمود '{ $column }' (أو { $known })؛ المسموح: سطر أول يسمي الأعمدة، مثل image,latitude,longitude,height أو image,easting,northing,height، أو أسطر من image وx وy وheight
 refusal-position-kinds = جدول مواضع الصور: أُعطي العمود '{ $x }' مع '{ $y }'؛ المسموح: خط الطول مع خط العرض، أو الشرق مع الشمال
-refusal-position-number = جدول مواضع الصور: أُعطي '{ $word }' في { $column } في السطر { $line }؛ المسموح: أعداد منتهية، وفي كل سطر فيه إحداثي خط الطول وخط العرض، أو x وy، على الأقل
+refusal-position-number = جدول مواضع الصور: أُعطي '{ $word }' في { $column } في السطر { $line }؛ المسموح: أعداد منتهية (كما يكتبها ExifTool مع -n)، وفي كل سطر فيه إحداثي خط الطول وخط العرض، أو x وy، على الأقل
+refusal-position-side = جدول مواضع الصور: أُعطي '{ $word }' في { $column } مع '{ $value }' في السطر { $line }؛ المسموح: N أو S مع خط العرض، وE أو W مع خط الطول، دون أن تناقضهما الإشارة؛ و0 أو 1 مع ارتفاع فوق مستوى البحر أو تحته
+refusal-no-positions =
+    جدول مواضع الصور: { $rows ->
+        [0] ليس فيه سطر
+        [1] فيه سطر واحد بلا إحداثيات
+       *[other] أسطره بلا إحداثيات، وعددها { $rows }
+    } ولا موضع فيه؛ المسموح: أسطر من الصورة وخط الطول وخط العرض والارتفاع، أو من الصورة وx وy والارتفاع، تحت سطر يسمي هذه الأعمدة
 refusal-position-name = جدول مواضع الصور: أُعطي الاسم '{ $name }' في السطر { $line }؛ المسموح: أسماء ملفات الصور، غير فارغة وبلا محارف تحكم
 refusal-position-errors = جدول مواضع الصور: أُعطي الخطأ المعياري { $errors } في السطر { $line }؛ المسموح: أعداد أكبر من 0، أو حقول فارغة
 refusal-position-again = جدول مواضع الصور: تكرر موضع الصورة '{ $image }' في السطر { $line }؛ المسموح: كل صورة مرة واحدة

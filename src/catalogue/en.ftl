@@ -370,6 +370,7 @@ refusal-name-with-blanks = { $format }: got the image name '{ $name }'; allowed:
 refusal-name-of-no-file = { $format }: got the image name '{ $name }'; allowed: names of files in a folder
 refusal-long-name = { $format }: got the image name '{ $name }' of { $bytes } bytes; allowed: names of up to { $most } bytes
 refusal-no-records = { $input }: got { $words }; allowed: lines of fields between semicolons, tabs, commas or blanks
+refusal-quoted-lines = { $input }: got '{ $record }' from line { $line } on, a field in quotes that goes on in the next line; allowed: quotes that are closed in their line
 refusal-no-column = { $input }: got no column { $column } in the first line '{ $names }'; allowed: a first line that names the columns { $columns }
 refusal-column-again = { $input }: got column { $column } twice; allowed: a first line that names the columns { $columns }
 refusal-no-value = { $input }: got no value for { $column } in line { $line }; allowed: finite numbers with a decimal point
@@ -393,7 +394,14 @@ refusal-measured-names = the table of image measurements: got no name of image o
 refusal-measured-again = the table of image measurements: got point '{ $point }' in image '{ $image }' again in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
 refusal-position-column = the table of image positions: got no column '{ $column }' (or { $known }) in the first line '{ $names }'; allowed: a first line of column names, as image,latitude,longitude,height or image,easting,northing,height, or lines of image, x, y, height
 refusal-position-kinds = the table of image positions: got the column '{ $x }' beside '{ $y }'; allowed: longitude beside latitude, or easting beside northing
-refusal-position-number = the table of image positions: got '{ $word }' for { $column } in line { $line }; allowed: finite numbers, in a row with any coordinate at least longitude and latitude, or x and y
+refusal-position-number = the table of image positions: got '{ $word }' for { $column } in line { $line }; allowed: finite numbers (as ExifTool writes them with -n), in a row with any coordinate at least longitude and latitude, or x and y
+refusal-position-side = the table of image positions: got '{ $word }' for { $column } beside '{ $value }' in line { $line }; allowed: N or S beside a latitude and E or W beside a longitude, whose signs do not contradict them; 0 or 1 beside an altitude above or below sea level
+refusal-no-positions =
+    the table of image positions: got { $rows ->
+        [0] no row
+        [1] one row without coordinates
+       *[other] { $rows } rows without coordinates
+    } and no position; allowed: lines of image, longitude, latitude, height or image, x, y, height below a line that names these columns
 refusal-position-name = the table of image positions: got the name '{ $name }' in line { $line }; allowed: file names of images, not empty and without control characters
 refusal-position-errors = the table of image positions: got the standard error { $errors } in line { $line }; allowed: numbers above 0, or empty fields
 refusal-position-again = the table of image positions: got a position of '{ $image }' again in line { $line }; allowed: each image once
@@ -1257,6 +1265,11 @@ remark-orthophoto-units = the orthophoto has eastings and northings in units of 
 remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise
 remark-unmeasured-points =
     no image measurement names these control and check points, which take no part: { $points }{ $points_more ->
+        [0] {""}
+       *[other] {" "}and { $points_more } more
+    }
+remark-points-without-coordinates =
+    these points have no coordinates in the table of control points and take no part: { $points }{ $points_more ->
         [0] {""}
        *[other] {" "}and { $points_more } more
     }

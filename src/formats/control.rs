@@ -36,7 +36,7 @@ fn control() -> Option<ControlRole> {
 /// Numbers may have a decimal comma where commas do not separate, and in quotes. A line that names columns may come before them, below a title and above a line of units, in any order, in capitals or not: name, x, y, z, standard errors of place and height,
 /// of image measurements in px, and use (`control`, `check` or `off`, or what other programs write for them), each by one of many names in several languages, with `(m)` behind it or not; a run reports those that it
 /// does not read, and refuses coordinates whose name has another unit than their system. Standard errors in another unit are converted to m. A comment directly above rows of numbers is such a line where it names name, x, y and z, as Metashape writes it. Of standard errors of x and y the larger one counts; one without an axis, as `accuracy`, is that of all three. `up` is the height, or its
-/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files, or have the standard errors of x, y and height behind them; a fifth one without any number is no standard error. Blank lines and lines that begin with `#` are skipped.
+/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files, or have the standard errors of x, y and height behind them; a fifth one without any number is no standard error. Points without any coordinate, as other programs list those that were not surveyed, are skipped. Blank lines and lines that begin with `#` are skipped.
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line, for numbers that are none, standard errors that are not above 0, a name that comes twice, and fields that may be parts of numbers with decimal commas.
@@ -44,7 +44,19 @@ pub fn parse_ground_control_points(text: &str) -> Result<Vec<GroundControlRow>, 
     let records = records(Input::ControlTable, text)?;
     let Layout { columns, rows, .. } = Layout::of(&records)?;
     let mut names = BTreeSet::new();
-    rows.iter().map(|(line, record)| read_point(&records, record, &columns, *line, &mut names)).collect()
+    let surveyed = rows.iter().filter(|(_, record)| !columns.lacks_coordinates(record));
+    surveyed.map(|(line, record)| read_point(&records, record, &columns, *line, &mut names)).collect()
+}
+
+/// The names of the points that have no coordinates.
+///
+/// # Errors
+/// As [`parse_ground_control_points`].
+pub(crate) fn points_without_coordinates(text: &str) -> Result<Vec<String>, Error> {
+    let records = records(Input::ControlTable, text)?;
+    let Layout { columns, rows, .. } = Layout::of(&records)?;
+    let without = rows.iter().filter(|(_, record)| columns.lacks_coordinates(record));
+    Ok(without.map(|(_, record)| shorten(record.get(columns.name).unwrap_or(""))).collect())
 }
 
 /// Columns of the table that are not read. One without a name counts where any of its cells holds something.
@@ -223,7 +235,7 @@ mod tests {
         assert_eq!(read("name,x,y,z,rmse\nA1,1,2,3,0.02\n"), Some([0.02, 0.02]));
         // `h` may be either, and residuals are no standard errors.
         for unknown in ["sigma_h", "X_error", "error"] {
-            assert_eq!(unread_columns(&format!("name,x,y,z,{unknown}\nA1,1,2,3,4\n")).unwrap().unknown, [unknown]);
+            assert_eq!(unread_columns(&format!("name,x,y,z,{unknown}\nA1,1,2,3,0.4\n")).unwrap().unknown, [unknown]);
         }
         let unread = unread_columns("name,x,y,z,code,sigma_xy,sigma_z,Kommentar,,\nA1,1,2,3,tp,0.02,0.03,,,5\n").unwrap();
         assert_eq!(unread, UnreadColumns { unknown: ["code", "Kommentar", "#10"].map(String::from).into(), doubled: Vec::new() });
@@ -264,7 +276,7 @@ mod tests {
             assert_eq!(stated_units(&text).unwrap(), [], "{head}");
         }
         // Of two heights that above the geoid is read, which is the second one of many receivers.
-        assert_eq!(parse_ground_control_points("name,e,n,ellipsoidal height,elevation\nA1,1,2,9,3\n").unwrap()[0].position[2], 3.0);
+        assert_eq!(parse_ground_control_points("name,e,n,ellipsoidal height,elevation\nA1,1,2,9.5,3\n").unwrap()[0].position[2], 3.0);
         let refused = message("Number,Abszisse,Ordinate,Z\nA1,1,2,3\n");
         assert!(
             refused.contains("neither a column 'x' (or e, east, easting, longitude, lon, rechtswert, ost, xeasting, long")

@@ -3,6 +3,7 @@
 use super::columns::{LENGTHS, letters, others, without_unit};
 use super::control_order::errors_in_order;
 use super::control_use::Uses;
+use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
 use crate::text::{Headed, Records, shorten};
 use crate::{Error, Refusal};
@@ -308,10 +309,14 @@ impl<'a> Layout<'a> {
         };
         let Headed { names, rows, misplaced } = records.headed(needed, &units())?;
         if let Some(names) = names {
-            return Ok(Self { columns: Columns::named_by(&names, needed(&names), rows)?, names: Some(names), rows });
+            let columns = Columns::named_by(&names, needed(&names), rows)?;
+            columns.numbers().check(records, rows)?;
+            return Ok(Self { columns, names: Some(names), rows });
         }
         let has_number = |record: &StringRecord, column: usize| record.get(column).is_some_and(|field| records.number(field).is_some());
-        let is_in_order = misplaced.is_none() && rows.first().is_none_or(|(_, first)| (1..4).all(|column| has_number(first, column)));
+        // Of points that were not surveyed yet the coordinates are empty.
+        let first = || rows.iter().map(|(_, record)| record).find(|record| !Columns::default().lacks_coordinates(record));
+        let is_in_order = misplaced.is_none() && first().is_none_or(|first| (1..4).all(|column| has_number(first, column)));
         if is_in_order {
             let columns = Columns { standard_errors: errors_in_order(records)?, ..Columns::default() };
             return Ok(Self { columns, names: None, rows });
@@ -359,6 +364,19 @@ impl Columns {
             uses: Uses::of(rows, place(Column::Use), place(Column::Kind), place(Column::Enabled)),
             sigma_px: place(Column::ErrorPx),
         })
+    }
+
+    /// Whether a row has none of x, y and z.
+    pub fn lacks_coordinates(&self, record: &StringRecord) -> bool {
+        self.position.into_iter().all(|column| record.get(column) == Some(""))
+    }
+
+    /// Its numbers, and what is none.
+    fn numbers(&self) -> NumberColumns {
+        let errors = self.standard_errors.into_iter().flat_map(|([x, y], z)| [x, y, z]).zip(self.error_units_m);
+        let texts = [Some(self.name), self.uses.role, self.uses.enabled].into_iter().flatten();
+        let read = self.position.into_iter().chain(self.sigma_px);
+        NumberColumns { read: read.collect(), errors: errors.collect(), texts: texts.collect() }
     }
 
     /// The columns that are read.

@@ -1,8 +1,8 @@
 //! Tests: tables of control points and image measurements in the forms of surveyors' programs.
 
 use super::columns::UnreadColumns;
-use super::control::{parse_ground_control_points, stated_units, unread_columns};
-use super::marks::parse_image_measurements;
+use super::control::{ground_control_table, parse_ground_control_points, points_without_coordinates, stated_units, unread_columns};
+use super::marks::{ImageMeasurementRow, image_measurement_table, parse_image_measurements};
 use crate::ControlRole;
 
 fn first(text: &str) -> (String, [f64; 3], Option<[f64; 2]>) {
@@ -128,7 +128,7 @@ fn standard_errors_in_other_units_are_converted_or_refused() {
         ("Accuracy [mm]", "20", [0.02, 0.02]),
         ("Genauigkeit Lage,Genauigkeit Höhe", "0.02,0.03", [0.02, 0.03]),
         ("sigma E,sigma N,Höhengenauigkeit", "0.02,0.01,0.03", [0.02, 0.03]),
-        ("sigma_xy (ft),sigma_z (us-ft)", "1,3937", [0.3048, 1200.0]),
+        ("sigma_xy (ft),sigma_z (us-ft)", "1.0,3937", [0.3048, 1200.0]),
     ] {
         let [across, up] = first(&format!("name,x,y,z,{head}\nA,1,2,3,{values}\n")).2.unwrap();
         assert!((across - wanted[0]).abs() < 1e-12 && (up - wanted[1]).abs() < 1e-9, "{head}: {across} {up}");
@@ -205,4 +205,56 @@ fn heads_in_other_languages_below_titles_and_above_units_are_read() {
     assert!(message("Passpunkte\n7;2;1;3\n").contains("'Passpunkte'"));
     // A message shows the line that names most.
     assert!(message("Liste\nPunkt;Rechts;Hoch;Koten\n7;2;1;3\n").contains("neither a column 'z'"));
+}
+
+#[test]
+fn decimal_commas_do_not_hide_in_named_columns_that_are_left_over() {
+    for text in [
+        "name,x,y,z,sigma_xy,sigma_z,code\nA,428374,069,5316020,123,104,5\n",
+        "name,x,y,z,sigma_xy,sigma_z\nA,428374,5,5316020,123,104\n",
+        "name,x,y,z,date,remark\nA,428374,5,5316020,123,104\n",
+        "name,x,y,z\nA,428374,069,5316020\n",
+        "A,428374,069,5316020\n",
+    ] {
+        assert!(message(text).contains("may be meant as decimal commas"), "{text}: {}", message(text));
+    }
+    assert!(marks_message("image,point,x,y,error,size\na.jpg,P1,10,5,20,25\n").contains("may be meant as decimal commas"));
+    // Tables of whole numbers have as many as are read, and a point anywhere shows that commas are none.
+    assert_eq!(first("name,x,y,z\nA,428374,5316020,104\n").1, [428_374.0, 5_316_020.0, 104.0]);
+    assert_eq!(first("name,x,y,z,sigma_xy,sigma_z,code\nA,428374,5316020,104,1,2,TP\n").2, Some([1.0, 2.0]));
+    assert_eq!(first("x,y,z,nr\n428374,5316020,104,7\n").0, "7");
+    assert_eq!(first("name,x,y,z,enabled,code\nA,428374,5316020,104,1,TP\n").1[2], 104.0);
+    assert_eq!(first("name,x,y,z,code\nA,428374,5316020,104,5\nB,428374.5,5316020,104,5\n").1[2], 104.0);
+    for text in ["image,point,x,y\na.jpg,P1,10,5\n", "id,image,point,x,y\n7,a.jpg,1,10,5\n", "x,y,point,image\n10,5,1,a.jpg\n"] {
+        let mark = parse_image_measurements(text).unwrap().remove(0);
+        assert_eq!([mark.x_px, mark.y_px], [10.0, 5.0], "{text}");
+    }
+}
+
+#[test]
+fn points_without_coordinates_are_skipped_and_named() {
+    for text in [
+        "#Label,X/Easting,Y/Northing,Z/Altitude\nP0,,,\nP1,412630.5,5316020.25,104.5\nP2,,,\n",
+        "#Label,X/Easting,Y/Northing,Z/Altitude,X_est,Y_est,Z_est\nP0,,,,412630.1,5316020.1,104\nP1,412630.5,5316020.25,104.5,1,2,3\nP2,,,,,,\n",
+        "name,x,y,z\nP0,,,\nP1,412630.5,5316020.25,104.5\nP2,,,\n",
+        "P0;;;\nP1;412630,5;5316020,25;104,5\nP2;;;\n",
+    ] {
+        let points = parse_ground_control_points(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let names: Vec<&str> = points.iter().map(|point| point.name.as_str()).collect();
+        assert_eq!((names, points[0].position), (vec!["P1"], [412_630.5, 5_316_020.25, 104.5]), "{text}");
+        assert_eq!(points_without_coordinates(text).unwrap(), ["P0", "P2"], "{text}");
+    }
+    assert!(message("name,x,y,z\nP0,412630.5,,\nP1,1,2,3\n").contains("'' for y in line 2"));
+    assert!(message("name,x,y,z\nP1,1,2,3\nTotal\n").contains("'' for x in line 3"));
+}
+
+#[test]
+fn names_that_begin_as_a_comment_does_read_back() {
+    let points = parse_ground_control_points("x,y,z,name\n1.5,2,3,#1\n2.5,3,4,# 2\n").unwrap();
+    assert_eq!(points[1].name, "# 2");
+    assert_eq!(parse_ground_control_points(&ground_control_table(&points)).unwrap(), points);
+    let marks = parse_image_measurements("point,image,x,y\n#1,x/#1.jpg,1.5,2\nP,#1.jpg,1.5,2\n").unwrap();
+    assert_eq!(marks.len(), 1, "a line that begins with the sign is a comment");
+    let marks = [ImageMeasurementRow { image: "#1.jpg".into(), point: "#1".into(), x_px: 1.5, y_px: 2.0 }];
+    assert_eq!(parse_image_measurements(&image_measurement_table(&marks)).unwrap(), marks);
 }

@@ -1,6 +1,7 @@
 //! Reading where images show surveyed points.
 
 use super::columns::{IMAGES, letters, others, without_unit};
+use super::whole_numbers::{NumberColumns, has_leading_zero};
 use crate::error::refuse;
 use crate::text::{Headed, NumberedRecord, Records, Row, records, shorten, table};
 use crate::{Error, Input, Refusal};
@@ -78,6 +79,7 @@ fn find(names: &StringRecord) -> [Option<usize>; 4] {
 fn columns_of(records: &Records) -> Result<([usize; 4], &[NumberedRecord]), Error> {
     let Headed { names, rows, misplaced } = records.headed(find, &UNITS)?;
     if let Some([Some(image), Some(point), Some(x), Some(y)]) = names.as_ref().map(find) {
+        NumberColumns { read: vec![x, y], errors: Vec::new(), texts: vec![image, point] }.check(records, rows)?;
         return Ok(([image, point, x, y], rows));
     }
     let missing = |names: &StringRecord| {
@@ -108,7 +110,7 @@ fn check_fields(records: &Records) -> Result<(), Error> {
             return refuse(Refusal::BlankFields { input: Input::MarkTable, record: shown(), line, columns: IN_ORDER.len() });
         }
         let numbers: Vec<&str> = record.iter().skip(2).take_while(|field| records.number(field).is_some()).collect();
-        if numbers.len() > 2 && records.may_be_cut(&numbers) {
+        if (numbers.len() > 2 || numbers.iter().any(|field| has_leading_zero(field))) && records.may_be_cut(&numbers) {
             return refuse(Refusal::DecimalCommas { input: Input::MarkTable, record: shown(), line });
         }
     }

@@ -20,6 +20,7 @@ mod control_use;
 mod csv_tables;
 mod export;
 mod geojson;
+mod hemispheres;
 mod isat;
 mod marks;
 mod micmac;
@@ -33,13 +34,14 @@ mod sight;
 #[cfg(test)]
 mod tests;
 mod text;
+mod whole_numbers;
 
 pub use cameras::{CameraRule, parse_camera_rules};
 pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 pub use colmap_read::read_colmap_model;
 pub(crate) use columns::{LENGTHS, UnreadColumns};
 pub use control::{GroundControlRow, parse_ground_control_points};
-pub(crate) use control::{StatedUnit, ground_control_table, stated_units, unread_columns};
+pub(crate) use control::{StatedUnit, ground_control_table, points_without_coordinates, stated_units, unread_columns};
 pub(crate) use csv_tables::{images_table, points_table, rays_table};
 pub use export::{ExportFormat, export_block};
 pub(crate) use marks::image_measurement_table;
