@@ -76,7 +76,7 @@ impl Records {
 /// [`Error::InvalidInput`] of `input`, where no records can be told, and for a field in quotes that goes on in the next line: a quote that nothing closes
 /// would take the lines below into it.
 pub(crate) fn records(input: Input, text: &str) -> Result<Records, Error> {
-    let text = &*with_line_feeds(text.trim_start_matches('\u{feff}'));
+    let text = &*plain(text.trim_start_matches('\u{feff}'));
     let separator = separator::separator(text);
     let mut found = Records { rows: Vec::new(), above: Vec::new(), separator, has_decimal_commas: false, input };
     let mut reader = reader_of(text, separator);
@@ -102,10 +102,17 @@ pub(crate) fn records(input: Input, text: &str) -> Result<Records, Error> {
     Ok(found)
 }
 
-/// A text whose lines end with a line feed alone: those of older spreadsheets end with a carriage return.
-fn with_line_feeds(text: &str) -> Cow<'_, str> {
-    if text.contains('\r') { text.replace("\r\n", "\n").replace('\r', "\n").into() } else { text.into() }
+/// A text whose lines end with a line feed alone, and whose fields are between signs of ASCII: those of older spreadsheets end with a carriage return, and
+/// Arabic commas and semicolons may stand between fields, where the first line of a table has no others.
+fn plain(text: &str) -> Cow<'_, str> {
+    let lines = if text.contains('\r') { Cow::from(text.replace("\r\n", "\n").replace('\r', "\n")) } else { text.into() };
+    let first = lines.lines().find(|line| is_data(line)).unwrap_or("");
+    let arabic = ARABIC.into_iter().find(|sign| first.contains(*sign) && !first.contains([';', '\t']));
+    arabic.map_or_else(|| lines.clone(), |sign| lines.replace(sign, ";").into())
 }
+
+/// The Arabic semicolon and comma.
+const ARABIC: [char; 2] = ['\u{61b}', '\u{60c}'];
 
 /// How many fields a record has up to the last one that holds something: spreadsheets write empty ones behind it.
 pub(crate) fn filled(record: &StringRecord) -> usize {
@@ -309,6 +316,9 @@ mod tests {
             ("x,\t1.5,\t2.5", &["x", "1.5", "2.5"]),
             ("x\t,1.5", &["x", "1.5"]),
             ("x,1.5", &["x", "1.5"]),
+            ("x\u{60c}1,5\u{60c}2", &["x", "1,5", "2"]),
+            ("x\u{61b}1\u{60c}5\u{61b}2", &["x", "1\u{60c}5", "2"]),
+            ("x;a\u{60c}b", &["x", "a\u{60c}b"]),
         ] {
             assert_eq!(lines(text)[0].1, wanted, "{text}");
         }

@@ -35,25 +35,27 @@ const NAMES: [(Column, &str); 9] = [
     (
         Column::Name,
         "name label point pointname id pointid gcp gcpname gcpid number pointnumber nr no pointno pointnr pt ptid ptno marker \
-         punkt punktname punktnummer punktnr bezeichnung matricule n° nº numéro numero número num punto pto nom nombre nome ponto # \
+         punkt punktname punktnummer punktnr pktnr pkt bezeichnung nomdupoint matricule n° nº numéro numero número num punto pto nom nombre nome ponto # \
          النقطة نقطة رقمالنقطة اسمالنقطة الاسم الرقم",
     ),
     (
         Column::X,
         "x e east easting longitude lon rechtswert ost xeasting long xlongitude rechts ostwert eastings \
-         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine الشرق شرق الشرقيات خطالطول",
+         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine coordenadax xcoordinate coordinatex xcoord coordx \
+         الشرق شرق الشرقيات شرقيات خطالطول خططول",
     ),
     (
         Column::Y,
         "y n north northing latitude lat hochwert nord ynorthing ylatitude hoch nordwert northings \
-         breite gpslatitude ylat norte latitud latitudine الشمال شمال الشماليات خطالعرض",
+         breite gpslatitude ylat norte latitud latitudine coordenaday ycoordinate coordinatey ycoord coordy \
+         الشمال شمال الشماليات شماليات خطالعرض خطعرض دائرةالعرض",
     ),
     (
         Column::Z,
         // With the sign for a letter that was not in UTF-8, too.
-        "z h height elevation altitude elev höhe alt zaltitude zelevation zheight hoehe h\u{fffd}he orthometricheight ellipsoidalheight \
+        "z h height elevation altitude elev höhe alt zaltitude zelevation zheight hoehe h\u{fffd}he orthometricheight orthoheight ellipsoidalheight \
          ellipsoidheight ellheight hell ellipsoidischehöhe ellipsoidischehoehe heightellipsoidal gpsaltitude zalt up \
-         cota quota cote hauteur altura altitud altitudine elevación elevacion elevação الارتفاع ارتفاع المنسوب منسوب",
+         cota quota cote hauteur altura altitud altitudine coordenadaz zcoordinate coordinatez zcoord coordz elevación elevacion elevação الارتفاع ارتفاع المنسوب منسوب",
     ),
     (Column::ErrorAcross, "across acch"),
     (Column::ErrorUp, "accv uperror"),
@@ -100,7 +102,7 @@ pub(super) enum Unit {
 }
 
 /// Units as tables write them.
-const UNITS: [(&str, Unit); 25] = [
+const UNITS: [(&str, Unit); 29] = [
     ("m", Unit::Length("m")),
     ("metre", Unit::Length("m")),
     ("metres", Unit::Length("m")),
@@ -118,8 +120,12 @@ const UNITS: [(&str, Unit); 25] = [
     ("usft", Unit::Length("us-ft")),
     ("ussft", Unit::Length("us-ft")),
     ("ftus", Unit::Length("us-ft")),
+    ("sft", Unit::Length("us-ft")),
     ("us survey feet", Unit::Length("us-ft")),
     ("us survey foot", Unit::Length("us-ft")),
+    ("ift", Unit::Length("ft")),
+    ("international feet", Unit::Length("ft")),
+    ("international foot", Unit::Length("ft")),
     ("ft", Unit::Length("ft")),
     ("feet", Unit::Length("ft")),
     ("foot", Unit::Length("ft")),
@@ -152,7 +158,9 @@ pub(super) enum Coordinates {
 /// What coordinates the name of a column of x or y says to hold.
 pub(super) fn coordinates_of(name: &str) -> Coordinates {
     let plain = plain(name);
-    let is_of_degrees = ["lon", "lng", "länge", "laenge", "lat", "breite"].iter().any(|word| plain.contains(word));
+    let is_of_degrees = ["lon", "lng", "länge", "laenge", "lat", "breite", "خطالطول", "خططول", "خطالعرض", "خطعرض", "دائرةالعرض"]
+        .iter()
+        .any(|word| plain.contains(word));
     match () {
         () if plain == "x" || plain == "y" || (is_of_degrees && plain.starts_with(['x', 'y'])) => Coordinates::Either,
         () if is_of_degrees => Coordinates::Geographic,
@@ -170,9 +178,18 @@ pub(super) fn is_ellipsoidal(name: &str) -> Option<bool> {
     }
 }
 
-/// What a name of letters says of NAMES, and how early it stands among the names for that.
+/// What a name of letters says of NAMES, and how early it stands among the names for that: a letter, which may be of something else (`n` satellites, `h` of
+/// an antenna), behind all words.
 fn listed(plain: &str) -> Option<(Column, usize)> {
-    NAMES.iter().find_map(|(column, names)| Some((*column, names.split(' ').position(|known| known == plain)?)))
+    let behind = if is_lone_letter(plain) { BEHIND_WORDS } else { 0 };
+    NAMES.iter().find_map(|(column, names)| Some((*column, behind + names.split(' ').position(|known| known == plain)?)))
+}
+
+/// Ranks of letters follow those of words.
+const BEHIND_WORDS: usize = 1000;
+
+fn is_lone_letter(plain: &str) -> bool {
+    matches!(plain, "e" | "n" | "h")
 }
 
 /// What a name of an axis in a letter and in a word says, as `x (nord)`, `y/rechtswert` or `hochwert (x)`: the word counts, since letters are exchanged in
@@ -259,7 +276,7 @@ pub(super) fn unit_m(name: &str) -> f64 {
     }
 }
 
-/// What each column of a line of names holds. `up` beside another height, where errors of the place but none of the height are named, is that error.
+/// What each column of a line of names holds. `up` beside another height, where errors of the place but none of the height are named, is that error; so is `h` beside errors of both axes.
 pub(super) fn meanings(record: &StringRecord) -> Vec<Option<Column>> {
     let mut found: Vec<Option<Column>> = record.iter().map(|name| meaning_of(name).map(|(column, _)| column)).collect();
     let is_up = |column: &usize| record.get(*column).is_some_and(|name| plain(name) == "up");
@@ -267,6 +284,11 @@ pub(super) fn meanings(record: &StringRecord) -> Vec<Option<Column>> {
     let lacks_error = found.contains(&Some(Column::ErrorAcross)) && !found.contains(&Some(Column::ErrorUp));
     if has_height && lacks_error {
         (0..found.len()).filter(is_up).for_each(|column| found[column] = Some(Column::ErrorUp));
+    }
+    let is_of_h =
+        |column: &usize| record.get(*column).is_some_and(|name| ERRORS.iter().any(|word| plain(name).strip_prefix(word) == Some("h")));
+    if found.contains(&Some(Column::ErrorX)) && found.contains(&Some(Column::ErrorY)) && !found.contains(&Some(Column::ErrorUp)) {
+        (0..found.len()).filter(is_of_h).for_each(|column| found[column] = Some(Column::ErrorUp));
     }
     found
 }
@@ -305,7 +327,9 @@ impl<'a> Layout<'a> {
     pub fn of(records: &'a Records) -> Result<Self, Error> {
         let needed = |names: &StringRecord| {
             let meanings = meanings(names);
-            NEEDED.map(|(column, _)| place(names, &meanings, column))
+            let [name, x, y, z] = NEEDED.map(|(column, _)| place(names, &meanings, column));
+            let [x, y] = plane(names, &meanings).map_or([x, y], |plane| plane.map(Some));
+            [name, x, y, z]
         };
         let Headed { names, rows, misplaced } = records.headed(needed, &units())?;
         if let Some(names) = names {
@@ -336,6 +360,21 @@ fn place(names: &StringRecord, meanings: &[Option<Column>], wanted: Column) -> O
     (0..meanings.len()).filter(|k| meanings[*k] == Some(wanted)).min_by_key(|column| (rank(*column), *column))
 }
 
+/// The columns of x and y that are named in one way: by words of the plane, by letters, or as longitude and latitude.
+fn plane(names: &StringRecord, meanings: &[Option<Column>]) -> Option<[usize; 2]> {
+    let way = |column: usize| {
+        let name = names.get(column).unwrap_or("");
+        match coordinates_of(name) {
+            Coordinates::Geographic => 2,
+            _ => usize::from(is_lone_letter(&plain(name))),
+        }
+    };
+    (0..3).find_map(|wanted| {
+        let of_way: Vec<Option<Column>> = meanings.iter().enumerate().map(|(k, is)| is.filter(|_| way(k) == wanted)).collect();
+        Some([place(names, &of_way, Column::X)?, place(names, &of_way, Column::Y)?])
+    })
+}
+
 impl Columns {
     /// The columns that a line names. `needed`: those of name, x, y and z, as far as they are there.
     fn named_by(names: &StringRecord, needed: [Option<usize>; 4], rows: &[(usize, StringRecord)]) -> Result<Self, Error> {
@@ -347,7 +386,8 @@ impl Columns {
         }
         let apart = place(Column::ErrorX).zip(place(Column::ErrorY)).map(|(x, y)| [x, y]);
         let of_all = place(Column::ErrorAll);
-        let across = place(Column::ErrorAcross).map(|column| [column; 2]).or(apart).or(of_all.map(|column| [column; 2]));
+        // That of the place may be of both axes together.
+        let across = apart.or(place(Column::ErrorAcross).or(of_all).map(|column| [column; 2]));
         let standard_errors = across.zip(place(Column::ErrorUp).or(of_all));
         let errors = [Column::ErrorAcross, Column::ErrorX, Column::ErrorY, Column::ErrorUp];
         if let (None, Some(one)) = (standard_errors, errors.into_iter().find_map(place)) {

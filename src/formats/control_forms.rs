@@ -3,6 +3,7 @@
 use super::columns::UnreadColumns;
 use super::control::{ground_control_table, parse_ground_control_points, points_without_coordinates, stated_units, unread_columns};
 use super::marks::{ImageMeasurementRow, image_measurement_table, parse_image_measurements};
+use super::positions::parse_image_positions;
 use crate::ControlRole;
 
 fn first(text: &str) -> (String, [f64; 3], Option<[f64; 2]>) {
@@ -257,4 +258,63 @@ fn names_that_begin_as_a_comment_does_read_back() {
     assert_eq!(marks.len(), 1, "a line that begins with the sign is a comment");
     let marks = [ImageMeasurementRow { image: "#1.jpg".into(), point: "#1".into(), x_px: 1.5, y_px: 2.0 }];
     assert_eq!(parse_image_measurements(&image_measurement_table(&marks)).unwrap(), marks);
+}
+
+#[test]
+fn a_column_that_may_be_something_else_is_read_where_no_better_one_is_named() {
+    let wanted = [446_833.2, 5_594_521.7, 124.0];
+    for text in [
+        "Nr,Easting,Northing,Height,N\n1,446833.2,5594521.7,124,5\n",
+        "N,Easting,Northing,Height,Point\n5,446833.2,5594521.7,124,1\n",
+        "Point,Northing,Easting,Elevation,h\n1,5594521.7,446833.2,124,1.8\n",
+        "Point,N,E,h\n1,5594521.7,446833.2,124\n",
+        "Point,Longitude,Latitude,E,N,H\n1,8.25,50.5,446833.2,5594521.7,124\n",
+        "Point,x,y,z,lon,lat,h\n1,446833.2,5594521.7,124,8.25,50.5,171\n",
+    ] {
+        assert_eq!(first(text).1, wanted, "{text}");
+    }
+    assert_eq!(first("Point,Longitude,Latitude,Height,N\n1,8.25,50.5,124,5\n").1, [8.25, 50.5, 124.0]);
+    // Emlid: the lateral error is of both axes together.
+    let emlid = "Name,Easting,Northing,Elevation,Easting RMS,Northing RMS,Elevation RMS,Lateral RMS\nP1,1,2,3,0.010,0.012,0.020,0.016\n";
+    assert_eq!((first(emlid).2, unread_columns(emlid).unwrap().doubled), (Some([0.012, 0.02]), vec!["Lateral RMS (Easting RMS)".into()]));
+    for head in ["SdE,SdN,SdH", "Std Dev E,Std Dev N,Std Dev H", "sigma_e,sigma_n,sigma_h"] {
+        assert_eq!(first(&format!("Point,East,North,Height,{head}\nP1,1,2,3,0.01,0.03,0.02\n")).2, Some([0.03, 0.02]), "{head}");
+    }
+    for head in ["image,point,X,Y,Z,x_px,y_px", "image,point,X,Y,Z,Column (px),Row (px)", "image,point,x,y,z,px,py"] {
+        let mark = parse_image_measurements(&format!("{head}\na.jpg,P1,446833.5,5594521,124,10,20\n")).unwrap().remove(0);
+        assert_eq!([mark.x_px, mark.y_px], [10.0, 20.0], "{head}");
+    }
+}
+
+#[test]
+fn arabic_tables_are_read_with_longitudes_and_arabic_commas() {
+    assert_eq!(first("اسم النقطة؛شرقيات؛شماليات؛منسوب\nP1؛446833,25؛5594521,5؛124,5\n").1, [446_833.25, 5_594_521.5, 124.5]);
+    assert_eq!(first("الاسم،الشرق،الشمال،الارتفاع\nP1،446833.25،5594521.5،124.5\n").1, [446_833.25, 5_594_521.5, 124.5]);
+    for head in ["الصورة;خط الطول;خط العرض;الارتفاع", "صورة;خط طول;خط عرض;ارتفاع"] {
+        let positions = parse_image_positions(&format!("{head}\na.jpg;8.25;50.5;171.5\n")).unwrap();
+        assert_eq!(
+            (positions.is_geographic, positions.rows[0].place, positions.rows[0].height),
+            (true, [8.25, 50.5], Some(171.5)),
+            "{head}"
+        );
+    }
+}
+
+#[test]
+fn further_names_of_other_programs_are_known() {
+    for head in [
+        "PktNr;Rechtswert;Hochwert;Hoehe",
+        "Pkt;Y (Ost);X (Nord);H",
+        "Nom du point;Est (m);Nord (m);Altitude (m)",
+        "Punto;Coordenada X;Coordenada Y;Cota",
+        "Point;Easting;Northing;Ortho Height",
+    ] {
+        assert_eq!(first(&format!("{head}\n7;1,5;2,5;3,5\n")), ("7".into(), [1.5, 2.5, 3.5], None), "{head}");
+    }
+    assert_eq!(parse_image_positions("Nom;Latitude;Longitude;Altitude\na.jpg;50,5;8,25;171,5\n").unwrap().rows[0].image, "a.jpg");
+    // Metashape.
+    let mark = parse_image_measurements("#Label,Camera,X,Y\nP1,a.jpg,10.5,20\n").unwrap().remove(0);
+    assert_eq!((&mark.image[..], &mark.point[..], mark.x_px), ("a.jpg", "P1", 10.5));
+    let feet = "Point,Easting (sFT),Northing (ift),Elev (International feet)\n1,1,2,3\n";
+    assert_eq!(stated_units(feet).unwrap().iter().map(|is| is.unit).collect::<Vec<_>>(), ["us-ft", "ft", "ft"]);
 }

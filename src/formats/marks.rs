@@ -69,10 +69,26 @@ const NAMES: [&str; 4] = [
 
 const UNITS: [&str; 4] = ["px", "pix", "pixel", "pixels"];
 
-/// Where a line of names says that image, point, x and y stand.
+/// Names of the column of images beside those that other tables have.
+const FURTHER_IMAGES: &str = "camera cameralabel";
+
+/// Where a line of names says that image, point, x and y stand. Of several columns those of pixels are read: others may be of the ground.
 fn find(names: &StringRecord) -> [Option<usize>; 4] {
-    let letters: Vec<String> = names.iter().map(|name| letters(&without_unit(name, &UNITS).0)).collect();
-    NAMES.map(|names| names.split(' ').find_map(|name| letters.iter().position(|column| column == name)))
+    let columns: Vec<(String, bool)> =
+        names.iter().map(|name| without_unit(name, &UNITS)).map(|(name, unit)| of_pixels(&name, unit)).collect();
+    let first = |name: &str, pixels: bool| columns.iter().position(|(column, of_pixels)| column == name && *of_pixels == pixels);
+    let [image, point, x, y] = NAMES.map(|names| {
+        let any = |pixels: bool| names.split(' ').find_map(|name| first(name, pixels));
+        any(true).or_else(|| any(false))
+    });
+    [image.or_else(|| FURTHER_IMAGES.split(' ').find_map(|name| first(name, false))), point, x, y]
+}
+
+/// A name in letters, and whether it says that the column is of pixels.
+fn of_pixels(name: &str, unit: Option<&str>) -> (String, bool) {
+    let name = letters(name);
+    let is_of_pixels = unit.is_some() || ["px", "py", "pix"].iter().any(|word| name.contains(word));
+    (name, is_of_pixels)
 }
 
 /// Where image, point, x and y stand, and the rows that have them.

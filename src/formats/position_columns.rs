@@ -11,7 +11,7 @@ use crate::{Error, Refusal};
 use csv::StringRecord;
 
 /// Names of the column of images beside those that tables of measurements have.
-const FURTHER: &str = "name label cameralabel";
+const FURTHER: &str = "name label cameralabel nom nombre nome";
 
 /// The columns of a table of image positions.
 #[derive(Debug, Clone)]
@@ -108,7 +108,8 @@ impl PositionColumns {
         ];
         let apart = first(Column::ErrorX).zip(first(Column::ErrorY)).map(|(x, y)| [x, y]);
         let of_all = first(Column::ErrorAll);
-        let across = first(Column::ErrorAcross).map(|column| [column; 2]).or(apart).or(of_all.map(|column| [column; 2]));
+        // That of the place may be of both axes together.
+        let across = apart.or(first(Column::ErrorAcross).or(of_all).map(|column| [column; 2]));
         let up = first(Column::ErrorUp).or(of_all);
         let unit = |column: Option<usize>| column.map_or(1.0, |column| unit_m(name(column)));
         let error_units_m = [unit(across.map(|[x, _]| x)), unit(across.map(|[_, y]| y)), unit(up)];
