@@ -7,7 +7,7 @@ use crate::error::refuse;
 use crate::{Error, Input, Refusal};
 use csv::{Reader, ReaderBuilder, StringRecord, Trim, WriterBuilder};
 pub(crate) use head::Headed;
-use separator::{is_clearly_decimal, is_data, of_line};
+use separator::{has_thousands, is_clearly_decimal, is_data, is_decimal_comma, of_line};
 use std::borrow::Cow;
 #[cfg(not(target_arch = "wasm32"))]
 use std::cmp::Ordering;
@@ -54,6 +54,25 @@ impl Records {
     /// Whether commas may have cut numbers in two, being meant as decimal commas: none of these has a point.
     pub(crate) fn may_be_cut(&self, numbers: &[&str]) -> bool {
         self.has_commas() && numbers.iter().all(|field| !field.contains(['.', ',']))
+    }
+
+    /// Why a field is no number, where it has signs before thousands.
+    pub(crate) fn refused_thousands(&self, field: &str, column: &str, line: usize) -> Option<Error> {
+        let refusal = || Refusal::Thousands { input: self.input, word: shorten(field), column: column.into(), line };
+        has_thousands(field).then(|| refusal().into_error())
+    }
+
+    /// Refuses numbers with commas all of which may stand before thousands, where commas do not separate.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] with the first such row.
+    pub(crate) fn check_thousands(&self) -> Result<(), Error> {
+        let fields = || self.rows.iter().flat_map(|(_, record)| record.iter()).filter(|field| is_decimal_comma(field));
+        let first = self.rows.iter().find(|(_, record)| record.iter().any(is_decimal_comma));
+        match first.filter(|_| !self.has_commas() && !fields().any(is_clearly_decimal)) {
+            Some((line, record)) => refuse(Refusal::ThousandsCommas { input: self.input, record: self.shown(record), line: *line }),
+            None => Ok(()),
+        }
     }
 
     /// Whether blanks separate.

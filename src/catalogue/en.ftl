@@ -383,6 +383,10 @@ refusal-control-error-column = the table of control points: got the column '{ $c
 refusal-control-error-unit = the table of control points: got the column '{ $column }', in a unit that is not known; allowed: standard errors in { $units }
 refusal-control-numbers = the table of control points: got { $numbers } numbers behind the name in line { $line } ('{ $record }') and no names of columns; allowed: x, y, z; these and both standard errors, of place and of height; or these and those of x, y and height, each above 0 and up to { $most_m } m. Decimal commas are read between semicolons, tabs or blanks
 refusal-decimal-commas = { $input }: got '{ $record }' in line { $line }, whose commas separate columns, and may be meant as decimal commas; allowed: decimal points, or columns between semicolons, tabs or blanks
+refusal-thousands = { $input }: got '{ $word }' for { $column } in line { $line }, which seems to have signs before its thousands; allowed: numbers without them
+refusal-thousands-commas = { $input }: got '{ $record }' in line { $line }, where no number of the table says whether commas stand before thousands or are decimal commas; allowed: decimal points, and no signs before thousands
+refusal-column-unit = { $input }: got the column '{ $column }', in a unit that is not known; allowed: degrees or { $units }
+refusal-system-line = { $input }: got the first line '{ $words }', as tables of OpenDroneMap begin; allowed: lines of name, x, y, z of points in one table and of image, point, x, y of their measurements in another, and the coordinate system by itself (--crs)
 refusal-control-number = the table of control points: got '{ $word }' for { $column } in line { $line }; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-control-name = the table of control points: got the name '{ $name }' in line { $line }, which is empty or comes twice; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-control-errors = the table of control points: got standard errors { $errors } in line { $line }, which are not above 0; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
@@ -427,6 +431,11 @@ refusal-control-place =
        *[false] easting as x and northing as y in the unit of this system
     }
 refusal-control-degrees = ground control point { $point }: got ({ $x }, { $y }), which look like degrees; allowed: easting as x and northing as y, as { $crs } has them
+refusal-position-system =
+    the table of image positions: got the coordinate system '{ $words }' in line { $line } { $crs ->
+        [none] and no other
+       *[other] beside { $crs }
+    }; allowed: positions in the coordinate system of the block (--crs), or longitudes and latitudes of WGS 84 (EPSG:4326)
 refusal-position-without-crs = the table of image positions: got ({ $x }, { $y }) in line { $line }, which are no longitude and latitude, without a coordinate system; allowed: longitudes and latitudes in degrees, or a coordinate system of x and y (--crs)
 refusal-position-place =
     the table of image positions: got ({ $x }, { $y }) in line { $line }, { $degrees ->

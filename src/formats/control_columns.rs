@@ -3,6 +3,7 @@
 use super::columns::{LENGTHS, letters, others, without_unit};
 use super::control_order::errors_in_order;
 use super::control_use::Uses;
+use super::system_line::SystemLine;
 use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
 use crate::text::{Headed, Records, shorten};
@@ -258,6 +259,19 @@ fn has_unknown_error_unit(name: &str) -> bool {
     }
 }
 
+/// Refuses a column of coordinates that would be the wanted one but for a unit in brackets that is not known.
+pub(super) fn check_unit(records: &Records, names: &StringRecord, wanted: Column) -> Result<(), Error> {
+    let is_wanted = |name: &&str| {
+        let joined = named(name).0;
+        // A word for an axis, as `Ost (Nord)` has it, is no unit.
+        let parts = joined.trim_end().strip_suffix([')', ']']).and_then(|inner| inner.rsplit_once(['(', '[']));
+        let bare = parts.filter(|(_, unit)| listed(&letters(unit)).is_none()).map(|(bare, _)| letters(bare));
+        bare.and_then(|bare| listed(&bare)).is_some_and(|(column, _)| column == wanted)
+    };
+    let Some(name) = names.iter().find(is_wanted).filter(|_| matches!(wanted, Column::X | Column::Y | Column::Z)) else { return Ok(()) };
+    refuse(Refusal::ColumnUnit { input: records.input(), column: shorten(name), units: LENGTHS.map(|(unit, _)| unit).join(", ") })
+}
+
 /// The names of a column, between blanks.
 pub(super) fn names_of(column: Column) -> &'static str {
     NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known)
@@ -325,6 +339,8 @@ const NEEDED: [(Column, &str); 4] = [(Column::Name, "name"), (Column::X, "x"), (
 impl<'a> Layout<'a> {
     /// The columns of a table by the line that names them, or by their order.
     pub fn of(records: &'a Records) -> Result<Self, Error> {
+        SystemLine::refuse_in(records)?;
+        records.check_thousands()?;
         let needed = |names: &StringRecord| {
             let meanings = meanings(names);
             let [name, x, y, z] = NEEDED.map(|(column, _)| place(names, &meanings, column));
@@ -348,6 +364,9 @@ impl<'a> Layout<'a> {
         let shown = misplaced.as_ref().or_else(|| records.likely_head(needed));
         let missing = shown.and_then(|names| needed(names).iter().position(Option::is_none)).unwrap_or(0);
         let (column, name) = NEEDED[missing];
+        if let Some(names) = shown {
+            check_unit(records, names, column)?;
+        }
         let known = NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known);
         let names = shown.map_or_else(String::new, |names| records.shown(names));
         refuse(Refusal::ControlColumn { column: name.into(), known: others(known), names })

@@ -318,3 +318,42 @@ fn further_names_of_other_programs_are_known() {
     let feet = "Point,Easting (sFT),Northing (ift),Elev (International feet)\n1,1,2,3\n";
     assert_eq!(stated_units(feet).unwrap().iter().map(|is| is.unit).collect::<Vec<_>>(), ["us-ft", "ft", "ft"]);
 }
+
+#[test]
+fn units_that_are_not_known_thousands_and_tables_of_opendronemap_are_refused_for_what_they_are() {
+    for (text, named) in [
+        (
+            "Point,Easting [inch],Northing [inch],H\n1,1.5,2,3\n",
+            "the column 'Easting [inch]', in a unit that is not known; allowed: degrees or mm,",
+        ),
+        ("Point,Easting,Northing,H (rod)\n1,1.5,2,3\n", "the column 'H (rod)', in a unit"),
+        (
+            "Punkt;Rechtswert;Hochwert;Höhe\nP1;446.833,25;5.594.521,50;124,5\n",
+            "'446.833,25' for x in line 2, which seems to have signs before its thousands",
+        ),
+        ("Punkt;Rechtswert;Hochwert;Höhe\nP1;446 833,25;5 594 521,50;124,5\n", "'446 833,25' for x in line 2, which seems"),
+        ("Punkt;Y;X;H\nP1;2'600'000.12;1'200'000.34;540.1\n", "'1'200'000.34' for x in line 2, which seems"),
+        (
+            "name;x;y;z\nP1;446,833;594,521;1,240\n",
+            "'P1;446,833;594,521;1,240' in line 2, where no number of the table says whether commas",
+        ),
+        ("name\tx\ty\tz\nP1\t446,833\t594,521\t124\n", "whether commas stand before thousands"),
+        (
+            "EPSG:32632\n4490.1 5300.2 300.5 100 200 a.jpg P1\n",
+            "the table of control points: got the first line 'EPSG:32632', as tables of OpenDroneMap begin",
+        ),
+        ("+proj=utm +zone=10 +ellps=WGS84\n544256.7 5320919.9 5 3044 2622 a.jpg P1\n", "as tables of OpenDroneMap begin"),
+    ] {
+        assert!(message(text).contains(named), "{text}: {}", message(text));
+    }
+    assert!(
+        marks_message("EPSG:32632\n4490.1 5300.2 300.5 100 200 a.jpg P1\n").contains("the table of image measurements: got the first line")
+    );
+    let inches = parse_image_positions("image,Easting [inch],Northing [inch]\na,1.5,2\n").unwrap_err().to_string();
+    assert!(inches.contains("the table of image positions: got the column 'Easting [inch]', in a unit"), "{inches}");
+    let thousands = parse_image_positions("Bild;Rechtswert;Hochwert\na;446.833,25;5.594.521,50\n").unwrap_err().to_string();
+    assert!(thousands.contains("'446.833,25' for Rechtswert in line 2, which seems"), "{thousands}");
+    assert!(parse_image_positions("image;x;y\na;446,833;594,521\n").unwrap_err().to_string().contains("whether commas"));
+    // One comma that can only be decimal says it of all.
+    assert_eq!(first("name;x;y;z\nP1;446,833;594,521;0,240\n").1, [446.833, 594.521, 0.24]);
+}

@@ -1,6 +1,7 @@
 //! Reading where images show surveyed points.
 
 use super::columns::{IMAGES, letters, others, without_unit};
+use super::system_line::SystemLine;
 use super::whole_numbers::{NumberColumns, has_leading_zero};
 use crate::error::refuse;
 use crate::text::{Headed, NumberedRecord, Records, Row, records, shorten, table};
@@ -37,6 +38,7 @@ pub fn parse_image_measurements(text: &str) -> Result<Vec<ImageMeasurementRow>, 
     let mut seen = BTreeSet::new();
     let mut marks = Vec::new();
     let records = records(Input::MarkTable, text)?;
+    SystemLine::refuse_in(&records)?;
     let ([of_image, of_point, of_x, of_y], rows) = columns_of(&records)?;
     for (line, record) in rows {
         let (field, line) = (|column: usize| record.get(column).unwrap_or(""), *line);

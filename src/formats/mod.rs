@@ -31,6 +31,7 @@ mod position_columns;
 mod positions;
 mod quaternion;
 mod sight;
+mod system_line;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -48,3 +49,4 @@ pub(crate) use marks::image_measurement_table;
 pub use marks::{ImageMeasurementRow, parse_image_measurements};
 pub use positions::{ImagePositionRow, ImagePositions, parse_image_positions};
 pub(crate) use positions::{PositionHead, position_head};
+pub(crate) use system_line::SystemLine;

@@ -2,7 +2,7 @@
 
 use super::columns::{IMAGES, UnreadColumns, letters, others, without_unit};
 use super::control::StatedUnit;
-use super::control_columns::{Column, Coordinates, coordinates_of, is_ellipsoidal, meaning_of, meanings, names_of, unit_m};
+use super::control_columns::{Column, Coordinates, check_unit, coordinates_of, is_ellipsoidal, meaning_of, meanings, names_of, unit_m};
 use super::hemispheres::Axis;
 use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
@@ -32,8 +32,8 @@ pub(super) struct PositionColumns {
 }
 
 impl PositionColumns {
-    /// The columns of rows without names: standard errors stand behind the height where nothing follows them, or behind three angles.
-    pub fn in_order(records: &Records) -> Self {
+    /// The columns of rows without names. `coordinates`: what x and y are, where the table says its system. Standard errors stand behind the height where nothing follows them, or behind three angles.
+    pub fn in_order(records: &Records, coordinates: Option<Coordinates>) -> Self {
         let width = records.rows.iter().map(|(_, record)| filled(record)).max().unwrap_or(0);
         let errors = match width {
             6 => Some(4),
@@ -48,7 +48,7 @@ impl PositionColumns {
             across: errors.map(|column| [column; 2]),
             up: errors.map(|column| column + 1),
             error_units_m: [1.0; 3],
-            coordinates: None,
+            coordinates,
         }
     }
 
@@ -76,6 +76,11 @@ impl PositionColumns {
             return Err(missing("image", others(&format!("{IMAGES} {FURTHER}"))));
         };
         let (xs, ys) = (all(Column::X), all(Column::Y));
+        for (wanted, found) in [(Column::X, &xs), (Column::Y, &ys)] {
+            if found.is_empty() {
+                check_unit(records, head, wanted)?;
+            }
+        }
         let of = |columns: &[usize], kind| columns.iter().copied().find(|column| coordinates_of(name(*column)) == kind);
         let kinds = [Coordinates::Geographic, Coordinates::Either, Coordinates::Plane];
         let pair = kinds.into_iter().find_map(|kind| Some((of(&xs, kind)?, of(&ys, kind)?, kind)));

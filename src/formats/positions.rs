@@ -5,6 +5,7 @@ use super::control::StatedUnit;
 use super::control_columns::{Coordinates, units};
 use super::hemispheres::{Axis, on_side};
 use super::position_columns::PositionColumns;
+use super::system_line::SystemLine;
 use super::whole_numbers::has_leading_zero;
 use crate::error::refuse;
 use crate::text::{Headed, NumberedRecord, Records, records, shorten};
@@ -72,6 +73,8 @@ pub(crate) struct PositionHead {
     pub stated_units: Vec<StatedUnit>,
     /// Images at longitude 0 and latitude 0, as the table names them.
     pub nowhere: Vec<String>,
+    /// The coordinate system that the table names for itself.
+    pub system: Option<SystemLine>,
 }
 
 /// What the table says beside its positions.
@@ -83,7 +86,7 @@ pub(crate) fn position_head(text: &str) -> Result<PositionHead, Error> {
     let (head, columns) = (table.head.as_ref(), &table.columns);
     let stated_units = head.map(|head| columns.stated_units(head)).unwrap_or_default();
     let (_, nowhere) = table.positions()?;
-    Ok(PositionHead { unread: columns.unread(table.rows(), head), stated_units, nowhere })
+    Ok(PositionHead { unread: columns.unread(table.rows(), head), stated_units, nowhere, system: table.system.clone() })
 }
 
 struct Table {
@@ -93,11 +96,18 @@ struct Table {
     /// Of the records so many, the first, are no rows: titles, names, and their units.
     above: usize,
     columns: PositionColumns,
+    /// The coordinate system that it names for itself.
+    system: Option<SystemLine>,
 }
 
 impl Table {
     fn read(text: &str) -> Result<Self, Error> {
-        let records = records(Input::PositionTable, text)?;
+        let mut records = records(Input::PositionTable, text)?;
+        records.check_thousands()?;
+        let system = SystemLine::of(&records);
+        if system.is_some() {
+            records.rows.remove(0);
+        }
         let Headed { names, rows, misplaced } = records.headed(PositionColumns::needed, &units())?;
         let above = records.rows.len() - rows.len();
         let is_number = |field: Option<&str>| field.is_some_and(|field| records.number(field).is_some());
@@ -106,12 +116,14 @@ impl Table {
         let is_in_order = || first().is_none_or(|first| [1, 2].iter().all(|column| is_number(first.get(*column))));
         if names.is_none() && misplaced.is_none() && is_in_order() {
             check_in_order(&records)?;
-            return Ok(Self { columns: PositionColumns::in_order(&records), records, head: None, above });
+            // Places in a system that is named have east first, also in degrees.
+            let coordinates = system.as_ref().map(|_| Coordinates::Either);
+            return Ok(Self { columns: PositionColumns::in_order(&records, coordinates), records, head: None, above, system });
         }
         let shown = names.or(misplaced).or_else(|| records.likely_head(PositionColumns::needed).cloned()).unwrap_or_default();
         let columns = PositionColumns::named_by(&records, &shown)?;
         columns.numbers().check(&records, rows)?;
-        Ok(Self { columns, records, head: Some(shown), above })
+        Ok(Self { columns, records, head: Some(shown), above, system })
     }
 
     fn rows(&self) -> &[NumberedRecord] {
@@ -145,7 +157,10 @@ impl Table {
         let field = |column: usize| record.get(column).unwrap_or("");
         let name = |column: usize| self.head.as_ref().and_then(|head| head.get(column)).map_or_else(|| format!("#{}", column + 1), shorten);
         let plain = |field: &str| self.records.number(field);
-        let refused = |column: usize| Refusal::PositionNumber { word: shorten(field(column)), column: name(column), line }.into_error();
+        let refused = |column: usize| {
+            let refusal = || Refusal::PositionNumber { word: shorten(field(column)), column: name(column), line }.into_error();
+            self.records.refused_thousands(field(column), &name(column), line).unwrap_or_else(refusal)
+        };
         let number = |column: usize| plain(field(column)).ok_or_else(|| refused(column));
         let is_of_degrees = columns.coordinates.is_some_and(|coordinates| coordinates != Coordinates::Plane);
         let coordinate = |axis: Axis, column: usize| {

@@ -7,11 +7,11 @@ use std::collections::BTreeMap;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Meant {
     /// By its name, with its folder where that is said.
-    ByName,
+    Name,
     /// By its file name in another folder.
-    ByFile,
+    File,
     /// By its name with another ending, or without one.
-    ByStem,
+    Stem,
 }
 
 /// The images of a block by what tables call them.
@@ -48,10 +48,10 @@ impl<'a> NamedImages<'a> {
         let by_file = || self.by_file.get(&file).copied().flatten();
         let by_stem = |stem: &str| self.by_stem.get(stem).copied().flatten();
         let exact = self.exact.get(name).copied().or_else(|| self.within(name)).or_else(|| by_file().filter(|_| !has_folder(name)));
-        let exact = exact.map(|image| (image, Meant::ByName));
-        let in_folder = || by_file().map(|image| (image, Meant::ByFile));
+        let exact = exact.map(|image| (image, Meant::Name));
+        let in_folder = || by_file().map(|image| (image, Meant::File));
         let of_ending = || by_stem(file.rsplit_once('.').filter(|(_, ending)| ENDINGS.contains(ending))?.0);
-        exact.or_else(in_folder).or_else(|| by_stem(&file).or_else(of_ending).map(|image| (image, Meant::ByStem)))
+        exact.or_else(in_folder).or_else(|| by_stem(&file).or_else(of_ending).map(|image| (image, Meant::Stem)))
     }
 
     /// The image whose name, with a folder of its own, a longer path ends with; or that of `./name`.
@@ -103,15 +103,15 @@ mod tests {
         let names = ["100/DJI_1.JPG", "101/DJI_1.JPG", "DJI_2.JPG"].map(String::from);
         let images = NamedImages::new(&names);
         for (name, wanted) in [
-            ("./100/DJI_1.JPG", Some((0, Meant::ByName))),
-            ("C:\\flight\\101\\DJI_1.JPG", Some((1, Meant::ByName))),
+            ("./100/DJI_1.JPG", Some((0, Meant::Name))),
+            ("C:\\flight\\101\\DJI_1.JPG", Some((1, Meant::Name))),
             ("./102/DJI_1.JPG", None),
             ("DJI_1.JPG", None),
-            ("./DJI_2.JPG", Some((2, Meant::ByName))),
-            ("dji_2.jpg", Some((2, Meant::ByName))),
-            ("100/DJI_2.JPG", Some((2, Meant::ByFile))),
-            ("./DJI_2.DNG", Some((2, Meant::ByStem))),
-            ("DJI_2", Some((2, Meant::ByStem))),
+            ("./DJI_2.JPG", Some((2, Meant::Name))),
+            ("dji_2.jpg", Some((2, Meant::Name))),
+            ("100/DJI_2.JPG", Some((2, Meant::File))),
+            ("./DJI_2.DNG", Some((2, Meant::Stem))),
+            ("DJI_2", Some((2, Meant::Stem))),
         ] {
             assert_eq!(images.found(name), wanted, "{name}");
         }

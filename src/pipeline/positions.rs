@@ -2,15 +2,18 @@
 
 use super::named_images::{Meant, NamedImages};
 use super::system::{check_stated_units, looks_like_degrees, system_of, units_of};
-use crate::crs::{CoordinateSystem, HeightZero};
+use crate::crs::{CoordinateSystem, Definition, HeightZero};
 use crate::error::refuse;
-use crate::formats::{PositionHead, UnreadColumns, position_head};
+use crate::formats::{PositionHead, SystemLine, UnreadColumns, position_head};
 use crate::text::shorten;
 use crate::{
     Error, ExifPosition, GeoreferencingOptions, ImagePositionRow, ImagePositions, ImpossiblePosition, Input, Refusal, Remark,
     parse_image_positions,
 };
 use serde::{Deserialize, Serialize};
+
+/// Longitudes and latitudes of GNSS.
+const WGS_84: &str = "EPSG:4326";
 
 /// The GNSS position of an image that a table gives.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -66,11 +69,23 @@ impl PositionTable {
         placing: &GeoreferencingOptions,
         zero: &HeightZero,
     ) -> Result<Vec<Option<GivenPosition>>, Error> {
+        self.check_own_system(placing)?;
         let units = if self.positions.is_geographic { (None, 1.0) } else { units_of(placing)? };
         check_stated_units(Input::PositionTable, &self.head.stated_units, units)?;
         let rows = self.rows_of(images)?;
         let system = self.system(&rows, placing, zero)?;
         rows.iter().map(|row| row.map(|row| self.position(row, system.as_ref())).transpose()).collect()
+    }
+
+    /// Refuses a coordinate system that the table names for itself where it is not that of the block, or of WGS 84 for degrees.
+    fn check_own_system(&self, placing: &GeoreferencingOptions) -> Result<(), Error> {
+        let Some(SystemLine { crs, words, line }) = &self.head.system else { return Ok(()) };
+        let (own, block) = (Definition::read(crs)?, placing.definition()?);
+        let wanted = if self.positions.is_geographic { Some(Definition::read(WGS_84)?) } else { block.clone() };
+        match wanted.is_some_and(|wanted| own.has_plane_of(&wanted)) {
+            true => Ok(()),
+            false => refuse(Refusal::PositionSystem { words: words.clone(), line: *line, crs: block.map(|block| block.name()) }),
+        }
     }
 
     /// The row of each image.
@@ -242,6 +257,30 @@ mod tests {
         assert!(of(far).0[0].is_some_and(|longitude_deg| (longitude_deg - 8.25).abs() < 0.01));
         let both = "FileName,SourceFile,lat,lon\nIMG_1.JPG,x/IMG_2.JPG,50,8.2\n";
         assert_eq!(of(both).0, [None, Some(8.2), None]);
+    }
+
+    #[test]
+    fn positions_of_opendronemap_are_read_in_the_system_that_they_name() {
+        let utm = "WGS84 UTM 32N\nIMG_1.JPG 446833.2 5594521.7 171.5 0.1 0.2 0.3 0.02 0.03\n";
+        for text in
+            [utm.to_string(), utm.replace("WGS84 UTM 32N", "EPSG:32632"), utm.replace(' ', "\t").replace("WGS84\tUTM\t", "WGS84 UTM ")]
+        {
+            let table = PositionTable::read(&text).unwrap();
+            let given = table.positions(&images(), &placing("EPSG:32632")).unwrap()[0].unwrap();
+            assert!((given.position.longitude_deg - 8.25).abs() < 0.01 && given.standard_errors_m == [Some(0.02), Some(0.03)], "{text}");
+        }
+        let degrees = PositionTable::read("EPSG:4326\nIMG_1.JPG 8.25 50.5 171.5\n").unwrap();
+        let given = degrees.positions(&images(), &placing("EPSG:25832")).unwrap()[0].unwrap();
+        assert_eq!((given.position.longitude_deg, given.position.latitude_deg, given.in_crs), (8.25, 50.5, false));
+        for (text, crs, named) in [
+            (utm, "EPSG:25832", "'WGS84 UTM 32N' in line 1 beside ETRS89"),
+            (utm, "", "'WGS84 UTM 32N' in line 1 and no other; allowed: positions in the coordinate system of the block (--crs)"),
+            ("EPSG:32632\nIMG_1.JPG 8.25 50.5 171.5\n", "EPSG:32632", "'EPSG:32632' in line 1"),
+            ("EPSG:4314\nIMG_1.JPG 8.25 50.5 171.5\n", "", "or longitudes and latitudes of WGS 84"),
+        ] {
+            let told = refused(text, crs);
+            assert!(told.contains(named), "{text}: {told}");
+        }
     }
 
     #[test]
