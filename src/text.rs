@@ -3,13 +3,18 @@
 mod head;
 mod separator;
 
+use crate::error::refuse;
 use crate::{Error, Input, Refusal};
 use csv::{Reader, ReaderBuilder, StringRecord, Trim, WriterBuilder};
 pub(crate) use head::Headed;
-use separator::{is_clearly_decimal, is_data, of_line};
+use separator::{has_thousands, is_clearly_decimal, is_data, is_decimal_comma, of_line};
+use std::borrow::Cow;
 #[cfg(not(target_arch = "wasm32"))]
 use std::cmp::Ordering;
 use std::fmt::Display;
+
+/// What a line begins with that is no record.
+const COMMENT: u8 = b'#';
 
 /// A record with its line, counted from 1.
 pub(crate) type NumberedRecord = (usize, StringRecord);
@@ -36,6 +41,11 @@ impl Records {
         number.ok().filter(|number: &f64| number.is_finite())
     }
 
+    /// What the table is.
+    pub(crate) fn input(&self) -> Input {
+        self.input
+    }
+
     /// Whether commas separate, so that decimal commas would, too.
     fn has_commas(&self) -> bool {
         self.separator == b','
@@ -44,6 +54,25 @@ impl Records {
     /// Whether commas may have cut numbers in two, being meant as decimal commas: none of these has a point.
     pub(crate) fn may_be_cut(&self, numbers: &[&str]) -> bool {
         self.has_commas() && numbers.iter().all(|field| !field.contains(['.', ',']))
+    }
+
+    /// Why a field is no number, where it has signs before thousands.
+    pub(crate) fn refused_thousands(&self, field: &str, column: &str, line: usize) -> Option<Error> {
+        let refusal = || Refusal::Thousands { input: self.input, word: shorten(field), column: column.into(), line };
+        has_thousands(field).then(|| refusal().into_error())
+    }
+
+    /// Refuses numbers with commas all of which may stand before thousands, where commas do not separate.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] with the first such row.
+    pub(crate) fn check_thousands(&self) -> Result<(), Error> {
+        let fields = || self.rows.iter().flat_map(|(_, record)| record.iter()).filter(|field| is_decimal_comma(field));
+        let first = self.rows.iter().find(|(_, record)| record.iter().any(is_decimal_comma));
+        match first.filter(|_| !self.has_commas() && !fields().any(is_clearly_decimal)) {
+            Some((line, record)) => refuse(Refusal::ThousandsCommas { input: self.input, record: self.shown(record), line: *line }),
+            None => Ok(()),
+        }
     }
 
     /// Whether blanks separate.
@@ -59,13 +88,14 @@ impl Records {
 }
 
 /// The records of a text: fields between semicolons, tabs, commas or blanks, whichever of them the first line has, in this order, that has fields enough
-/// for a table. Tabs beside commas only align what these separate. Blank lines, lines of separators alone as spreadsheets leave them, and lines that begin
+/// for a table. Tabs beside commas only align what these separate. A lone carriage return ends a line, too. Blank lines, lines of separators alone as spreadsheets leave them, and lines that begin
 /// with `#` are skipped, and so are those with `//` above the first record that hold no numbers. Text that [`Row::text`] has guarded reads back as it was.
 ///
 /// # Errors
-/// [`Error::InvalidInput`] of `input`, where no records can be told.
+/// [`Error::InvalidInput`] of `input`, where no records can be told, and for a field in quotes that goes on in the next line: a quote that nothing closes
+/// would take the lines below into it.
 pub(crate) fn records(input: Input, text: &str) -> Result<Records, Error> {
-    let text = text.trim_start_matches('\u{feff}');
+    let text = &*plain(text.trim_start_matches('\u{feff}'));
     let separator = separator::separator(text);
     let mut found = Records { rows: Vec::new(), above: Vec::new(), separator, has_decimal_commas: false, input };
     let mut reader = reader_of(text, separator);
@@ -73,6 +103,9 @@ pub(crate) fn records(input: Input, text: &str) -> Result<Records, Error> {
     for record in reader.records() {
         let record = record.map_err(|error| Refusal::NoRecords { input, words: error.to_string() }.into_error())?;
         let line = lines.of(&record);
+        if record.iter().any(|field| field.contains('\n')) {
+            return refuse(Refusal::QuotedLines { input, record: found.shown(&record), line });
+        }
         let is_comment = found.rows.is_empty()
             && record.get(0).is_some_and(|first| first.starts_with("//"))
             && record.iter().all(|field| found.number(field).is_none());
@@ -86,6 +119,23 @@ pub(crate) fn records(input: Input, text: &str) -> Result<Records, Error> {
     found.has_decimal_commas = separator == b',' && found.rows.iter().any(clear);
     found.above = found.rows.first().map_or_else(Vec::new, |(line, _)| above(text, *line, separator));
     Ok(found)
+}
+
+/// A text whose lines end with a line feed alone, and whose fields are between signs of ASCII: those of older spreadsheets end with a carriage return, and
+/// Arabic commas and semicolons may stand between fields, where the first line of a table has no others.
+fn plain(text: &str) -> Cow<'_, str> {
+    let lines = if text.contains('\r') { Cow::from(text.replace("\r\n", "\n").replace('\r', "\n")) } else { text.into() };
+    let first = lines.lines().find(|line| is_data(line)).unwrap_or("");
+    let arabic = ARABIC.into_iter().find(|sign| first.contains(*sign) && !first.contains([';', '\t']));
+    arabic.map_or_else(|| lines.clone(), |sign| lines.replace(sign, ";").into())
+}
+
+/// The Arabic semicolon and comma.
+const ARABIC: [char; 2] = ['\u{61b}', '\u{60c}'];
+
+/// How many fields a record has up to the last one that holds something: spreadsheets write empty ones behind it.
+pub(crate) fn filled(record: &StringRecord) -> usize {
+    (0..record.len()).rev().find(|column| !record[*column].is_empty()).map_or(0, |last| last + 1)
 }
 
 /// The last comment above a line, as fields between what separates the records and between what it has itself.
@@ -104,7 +154,7 @@ fn above(text: &str, line: usize, separator: u8) -> Vec<StringRecord> {
 fn reader_of(text: &str, separator: u8) -> Reader<&[u8]> {
     ReaderBuilder::new()
         .delimiter(separator)
-        .comment(Some(b'#'))
+        .comment(Some(COMMENT))
         .trim(Trim::All)
         .flexible(true)
         .has_headers(false)
@@ -148,7 +198,8 @@ impl Row {
 /// # Source
 /// RFC 4180.
 pub(crate) fn table(columns: &[&str], rows: impl IntoIterator<Item = Row>) -> String {
-    let mut writer = WriterBuilder::new().flexible(true).from_writer(Vec::new());
+    // A name that begins as a comment does is one in quotes.
+    let mut writer = WriterBuilder::new().flexible(true).comment(Some(COMMENT)).from_writer(Vec::new());
     // A vector takes all that is written.
     let written = writer.write_record(columns).and_then(|()| rows.into_iter().try_for_each(|Row(cells)| writer.write_record(cells)));
     let bytes = writer.into_inner().unwrap_or_default();
@@ -244,14 +295,36 @@ mod tests {
 
     #[test]
     fn no_cell_of_a_table_runs_as_a_formula() {
-        let texts = ["=1+1", "+1", "-1", "@SUM(1)", "\tx", "\rx", "'=1", "''-1", "'a", "a=1", "=a, \"b\"", "the \"a\"", "a\nb", "", "7"];
+        let texts = ["=1+1", "+1", "-1", "@SUM(1)", "\tx", "'=1", "''-1", "'a", "a=1", "=a, \"b\"", "the \"a\"", "", "7"];
         let rows = texts.iter().enumerate().map(|(i, text)| Row::default().number(-0.5 - i as f64).text(text).known(None::<f64>));
         let written = table(&["number", "text", "none"], rows);
         assert!(written.starts_with("number,text,none\n-0.5,'=1+1,\n-1.5,'+1,\n-2.5,'-1,\n-3.5,'@SUM(1),\n"), "{written}");
-        assert!(written.contains("-9.5,a=1,\n-10.5,\"'=a, \"\"b\"\"\",\n-11.5,\"the \"\"a\"\"\",\n"), "{written}");
+        assert!(written.contains("-8.5,a=1,\n-9.5,\"'=a, \"\"b\"\"\",\n-10.5,\"the \"\"a\"\"\",\n"), "{written}");
         let read = lines(&written);
         assert_eq!(read.iter().skip(1).map(|(_, cells)| &cells[1][..]).collect::<Vec<_>>(), texts);
         assert_eq!(read[1].1[0], "-0.5");
+        assert!(table(&["text"], [Row::default().text("\rx")]).contains("'\rx"));
+    }
+
+    #[test]
+    fn names_that_begin_as_a_comment_does_read_back() {
+        let names = ["#1", "#", "# a, b", "//nas/a"];
+        let written = table(&["name", "x"], names.iter().map(|name| Row::default().text(name).number(1)));
+        assert_eq!(lines(&written).iter().skip(1).map(|(_, cells)| &cells[0][..]).collect::<Vec<_>>(), names);
+        assert_eq!(lines("\"#1\",1\n#2,2\n").len(), 1);
+    }
+
+    #[test]
+    fn a_carriage_return_ends_a_line_also_one_of_a_comment() {
+        assert_eq!(lines("# one\ra,b\rc,d\r"), [(2, vec!["a".to_string(), "b".into()]), (3, vec!["c".into(), "d".into()])]);
+    }
+
+    #[test]
+    fn a_quote_that_nothing_closes_takes_no_lines_into_its_field() {
+        let refused = records(Input::Text, "name,x\nP1,1\n\n# one\nP4,\"bolt\nP5,1\nP6,1\n").unwrap_err().to_string();
+        assert!(refused.contains("'P4,bolt P5,1 P6,1'") && refused.contains("from line 5 on"), "{refused}");
+        assert!(records(Input::Text, "name,x\nP1,\"two\nlines\"\n").unwrap_err().to_string().contains("from line 2 on"));
+        assert_eq!(lines("P4,\"bolt, M8\"\n")[0].1[1], "bolt, M8");
     }
 
     #[test]
@@ -262,6 +335,9 @@ mod tests {
             ("x,\t1.5,\t2.5", &["x", "1.5", "2.5"]),
             ("x\t,1.5", &["x", "1.5"]),
             ("x,1.5", &["x", "1.5"]),
+            ("x\u{60c}1,5\u{60c}2", &["x", "1,5", "2"]),
+            ("x\u{61b}1\u{60c}5\u{61b}2", &["x", "1\u{60c}5", "2"]),
+            ("x;a\u{60c}b", &["x", "a\u{60c}b"]),
         ] {
             assert_eq!(lines(text)[0].1, wanted, "{text}");
         }

@@ -16,8 +16,8 @@ mod uncertainty;
 mod xmp;
 
 pub(crate) use distortion::{CAMERA_PARAMETERS, CameraValues, distorted, linearised_lens, radial_factor, undistorted};
-pub(crate) use exif::camera_label;
 pub use exif::{ExifCamera, ExifImage, ExifPosition};
+pub(crate) use exif::{NOWHERE, camera_label};
 pub use fiducials::{Fiducial, FiducialModel, FiducialOrientation, orient_fiducials};
 pub use interior::Interior;
 pub use mm::CameraMm;

@@ -370,6 +370,7 @@ refusal-name-with-blanks = { $format }: got the image name '{ $name }'; allowed:
 refusal-name-of-no-file = { $format }: got the image name '{ $name }'; allowed: names of files in a folder
 refusal-long-name = { $format }: got the image name '{ $name }' of { $bytes } bytes; allowed: names of up to { $most } bytes
 refusal-no-records = { $input }: got { $words }; allowed: lines of fields between semicolons, tabs, commas or blanks
+refusal-quoted-lines = { $input }: got '{ $record }' from line { $line } on, a field in quotes that goes on in the next line; allowed: quotes that are closed in their line
 refusal-no-column = { $input }: got no column { $column } in the first line '{ $names }'; allowed: a first line that names the columns { $columns }
 refusal-column-again = { $input }: got column { $column } twice; allowed: a first line that names the columns { $columns }
 refusal-no-value = { $input }: got no value for { $column } in line { $line }; allowed: finite numbers with a decimal point
@@ -382,6 +383,10 @@ refusal-control-error-column = the table of control points: got the column '{ $c
 refusal-control-error-unit = the table of control points: got the column '{ $column }', in a unit that is not known; allowed: standard errors in { $units }
 refusal-control-numbers = the table of control points: got { $numbers } numbers behind the name in line { $line } ('{ $record }') and no names of columns; allowed: x, y, z; these and both standard errors, of place and of height; or these and those of x, y and height, each above 0 and up to { $most_m } m. Decimal commas are read between semicolons, tabs or blanks
 refusal-decimal-commas = { $input }: got '{ $record }' in line { $line }, whose commas separate columns, and may be meant as decimal commas; allowed: decimal points, or columns between semicolons, tabs or blanks
+refusal-thousands = { $input }: got '{ $word }' for { $column } in line { $line }, which seems to have signs before its thousands; allowed: numbers without them
+refusal-thousands-commas = { $input }: got '{ $record }' in line { $line }, where no number of the table says whether commas stand before thousands or are decimal commas; allowed: decimal points, and no signs before thousands
+refusal-column-unit = { $input }: got the column '{ $column }', in a unit that is not known; allowed: degrees or { $units }
+refusal-system-line = { $input }: got the first line '{ $words }', as tables of OpenDroneMap begin; allowed: lines of name, x, y, z of points in one table and of image, point, x, y of their measurements in another, and the coordinate system by itself (--crs)
 refusal-control-number = the table of control points: got '{ $word }' for { $column } in line { $line }; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-control-name = the table of control points: got the name '{ $name }' in line { $line }, which is empty or comes twice; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-control-errors = the table of control points: got standard errors { $errors } in line { $line }, which are not above 0; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
@@ -393,7 +398,14 @@ refusal-measured-names = the table of image measurements: got no name of image o
 refusal-measured-again = the table of image measurements: got point '{ $point }' in image '{ $image }' again in line { $line }; allowed: lines of image, point, x, y with decimal points, each point once in an image
 refusal-position-column = the table of image positions: got no column '{ $column }' (or { $known }) in the first line '{ $names }'; allowed: a first line of column names, as image,latitude,longitude,height or image,easting,northing,height, or lines of image, x, y, height
 refusal-position-kinds = the table of image positions: got the column '{ $x }' beside '{ $y }'; allowed: longitude beside latitude, or easting beside northing
-refusal-position-number = the table of image positions: got '{ $word }' for { $column } in line { $line }; allowed: finite numbers, in a row with any coordinate at least longitude and latitude, or x and y
+refusal-position-number = the table of image positions: got '{ $word }' for { $column } in line { $line }; allowed: finite numbers (as ExifTool writes them with -n), in a row with any coordinate at least longitude and latitude, or x and y
+refusal-position-side = the table of image positions: got '{ $word }' for { $column } beside '{ $value }' in line { $line }; allowed: N or S beside a latitude and E or W beside a longitude, whose signs do not contradict them; 0 or 1 beside an altitude above or below sea level
+refusal-no-positions =
+    the table of image positions: got { $rows ->
+        [0] no row
+        [1] one row without coordinates
+       *[other] { $rows } rows without coordinates
+    } and no position; allowed: lines of image, longitude, latitude, height or image, x, y, height below a line that names these columns
 refusal-position-name = the table of image positions: got the name '{ $name }' in line { $line }; allowed: file names of images, not empty and without control characters
 refusal-position-errors = the table of image positions: got the standard error { $errors } in line { $line }; allowed: numbers above 0, or empty fields
 refusal-position-again = the table of image positions: got a position of '{ $image }' again in line { $line }; allowed: each image once
@@ -419,6 +431,11 @@ refusal-control-place =
        *[false] easting as x and northing as y in the unit of this system
     }
 refusal-control-degrees = ground control point { $point }: got ({ $x }, { $y }), which look like degrees; allowed: easting as x and northing as y, as { $crs } has them
+refusal-position-system =
+    the table of image positions: got the coordinate system '{ $words }' in line { $line } { $crs ->
+        [none] and no other
+       *[other] beside { $crs }
+    }; allowed: positions in the coordinate system of the block (--crs), or longitudes and latitudes of WGS 84 (EPSG:4326)
 refusal-position-without-crs = the table of image positions: got ({ $x }, { $y }) in line { $line }, which are no longitude and latitude, without a coordinate system; allowed: longitudes and latitudes in degrees, or a coordinate system of x and y (--crs)
 refusal-position-place =
     the table of image positions: got ({ $x }, { $y }) in line { $line }, { $degrees ->
@@ -1276,6 +1293,11 @@ remark-orthophoto-units = the orthophoto has eastings and northings in units of 
 remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise
 remark-unmeasured-points =
     no image measurement names these control and check points, which take no part: { $points }{ $points_more ->
+        [0] {""}
+       *[other] {" "}and { $points_more } more
+    }
+remark-points-without-coordinates =
+    these points have no coordinates in the table of control points and take no part: { $points }{ $points_more ->
         [0] {""}
        *[other] {" "}and { $points_more } more
     }

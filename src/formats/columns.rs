@@ -9,7 +9,7 @@ pub(crate) const LENGTHS: [(&str, f64); 6] =
     [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("ft", 0.3048), ("us-ft", 1200.0 / 3937.0), ("km", 1000.0)];
 
 /// The names of the column of images here and in other programs, in letters alone. The first of them that a table has is read.
-pub(super) const IMAGES: &str = "image photo picture filename imagename file photoname imagefile imagelabel img bild bildname foto sourcefile bilddatei dateiname datei imagen immagine imagem الصورة صورة";
+pub(super) const IMAGES: &str = "image photo picture sourcefile filename imagename file photoname imagefile imagelabel img bild bildname foto bilddatei dateiname datei imagen immagine imagem الصورة صورة";
 
 /// The columns of a table that are not read.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -36,7 +36,7 @@ fn control() -> Option<ControlRole> {
 /// Numbers may have a decimal comma where commas do not separate, and in quotes. A line that names columns may come before them, below a title and above a line of units, in any order, in capitals or not: name, x, y, z, standard errors of place and height,
 /// of image measurements in px, and use (`control`, `check` or `off`, or what other programs write for them), each by one of many names in several languages, with `(m)` behind it or not; a run reports those that it
 /// does not read, and refuses coordinates whose name has another unit than their system. Standard errors in another unit are converted to m. A comment directly above rows of numbers is such a line where it names name, x, y and z, as Metashape writes it. Of standard errors of x and y the larger one counts; one without an axis, as `accuracy`, is that of all three. `up` is the height, or its
-/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files, or have the standard errors of x, y and height behind them; a fifth one without any number is no standard error. Blank lines and lines that begin with `#` are skipped.
+/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files, or have the standard errors of x, y and height behind them; a fifth and last one of words, or of whole numbers from 10 on behind coordinates with a point, is a code and no standard error. Points without any coordinate, as other programs list those that were not surveyed, are skipped. Blank lines and lines that begin with `#` are skipped.
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line, for numbers that are none, standard errors that are not above 0, a name that comes twice, and fields that may be parts of numbers with decimal commas.
@@ -44,7 +44,19 @@ pub fn parse_ground_control_points(text: &str) -> Result<Vec<GroundControlRow>, 
     let records = records(Input::ControlTable, text)?;
     let Layout { columns, rows, .. } = Layout::of(&records)?;
     let mut names = BTreeSet::new();
-    rows.iter().map(|(line, record)| read_point(&records, record, &columns, *line, &mut names)).collect()
+    let surveyed = rows.iter().filter(|(_, record)| !columns.lacks_coordinates(record));
+    surveyed.map(|(line, record)| read_point(&records, record, &columns, *line, &mut names)).collect()
+}
+
+/// The names of the points that have no coordinates.
+///
+/// # Errors
+/// As [`parse_ground_control_points`].
+pub(crate) fn points_without_coordinates(text: &str) -> Result<Vec<String>, Error> {
+    let records = records(Input::ControlTable, text)?;
+    let Layout { columns, rows, .. } = Layout::of(&records)?;
+    let without = rows.iter().filter(|(_, record)| columns.lacks_coordinates(record));
+    Ok(without.map(|(_, record)| shorten(record.get(columns.name).unwrap_or(""))).collect())
 }
 
 /// Columns of the table that are not read. One without a name counts where any of its cells holds something.
@@ -56,8 +68,9 @@ pub(crate) fn unread_columns(text: &str) -> Result<UnreadColumns, Error> {
     let Layout { columns, names, rows } = Layout::of(&records)?;
     let meanings = names.as_ref().map_or_else(Vec::new, meanings);
     let mut read = columns.read();
-    // A code behind the coordinates is nobody's mistake.
-    if names.is_none() && columns.standard_errors.is_none() {
+    // A code behind the coordinates is nobody's mistake; a number may be something else.
+    let is_number = |record: &StringRecord| record.get(4).is_some_and(|field| records.number(field).is_some());
+    if names.is_none() && columns.standard_errors.is_none() && !rows.iter().any(|(_, record)| is_number(record)) {
         read.insert(4);
     }
     let twin = |column: usize| meanings.get(column).copied().flatten().and_then(|meaning| columns.instead_of(meaning));
@@ -111,7 +124,8 @@ fn read_point(
     let field = |column: usize| record.get(column).unwrap_or("");
     let number = |column: usize, what: &str| {
         let value = records.number(field(column));
-        value.ok_or_else(|| Refusal::ControlNumber { word: shorten(field(column)), column: what.into(), line }.into_error())
+        let refusal = || Refusal::ControlNumber { word: shorten(field(column)), column: what.into(), line }.into_error();
+        value.ok_or_else(|| records.refused_thousands(field(column), what, line).unwrap_or_else(refusal))
     };
     let name = field(columns.name).to_string();
     if name.is_empty() || name.chars().any(char::is_control) || !names.insert(name.clone()) {
@@ -223,7 +237,7 @@ mod tests {
         assert_eq!(read("name,x,y,z,rmse\nA1,1,2,3,0.02\n"), Some([0.02, 0.02]));
         // `h` may be either, and residuals are no standard errors.
         for unknown in ["sigma_h", "X_error", "error"] {
-            assert_eq!(unread_columns(&format!("name,x,y,z,{unknown}\nA1,1,2,3,4\n")).unwrap().unknown, [unknown]);
+            assert_eq!(unread_columns(&format!("name,x,y,z,{unknown}\nA1,1,2,3,0.4\n")).unwrap().unknown, [unknown]);
         }
         let unread = unread_columns("name,x,y,z,code,sigma_xy,sigma_z,Kommentar,,\nA1,1,2,3,tp,0.02,0.03,,,5\n").unwrap();
         assert_eq!(unread, UnreadColumns { unknown: ["code", "Kommentar", "#10"].map(String::from).into(), doubled: Vec::new() });
@@ -264,7 +278,7 @@ mod tests {
             assert_eq!(stated_units(&text).unwrap(), [], "{head}");
         }
         // Of two heights that above the geoid is read, which is the second one of many receivers.
-        assert_eq!(parse_ground_control_points("name,e,n,ellipsoidal height,elevation\nA1,1,2,9,3\n").unwrap()[0].position[2], 3.0);
+        assert_eq!(parse_ground_control_points("name,e,n,ellipsoidal height,elevation\nA1,1,2,9.5,3\n").unwrap()[0].position[2], 3.0);
         let refused = message("Number,Abszisse,Ordinate,Z\nA1,1,2,3\n");
         assert!(
             refused.contains("neither a column 'x' (or e, east, easting, longitude, lon, rechtswert, ost, xeasting, long")
@@ -289,6 +303,20 @@ mod tests {
         let coded = "GCP 1,5539031.141,428217.609,100.363,TARGET\nGCP 2,5539031.141,428217.609,100.363,\n";
         assert_eq!(parse_ground_control_points(coded).unwrap().iter().map(|point| point.standard_errors).collect::<Vec<_>>(), [None; 2]);
         assert_eq!(unread_columns(coded).unwrap(), UnreadColumns::default());
+        for codes in [["GCP1", "GCP2"], ["101", "102"], ["101", "TP 7"], ["", "GCP2"]] {
+            let text: String = codes.iter().enumerate().map(|(k, code)| format!("{k},5594521.7,446833.2,124.0,{code}\n")).collect();
+            let points = parse_ground_control_points(&text).unwrap_or_else(|error| panic!("{text}: {error}"));
+            assert!(points.iter().all(|point| point.standard_errors.is_none() && point.position[2] == 124.0), "{text}");
+            let is_number = codes[0] == "101";
+            assert_eq!(
+                unread_columns(&text).unwrap().unknown,
+                is_number.then(|| "#5".to_string()).into_iter().collect::<Vec<_>>(),
+                "{text}"
+            );
+        }
+        // Whole coordinates may be cut, and a small number may be a standard error.
+        assert!(message("101,1040,5,2040,116\n").contains("decimal commas") || message("101,1040,5,2040,116\n").contains("'' for sigma_z"));
+        assert!(message("1,5594521.7,446833.2,124.0,5\n").contains("'' for sigma_z in line 1"));
         // A slip is none.
         assert!(message("A,1,2,3,0.O2,0.03\n").contains("'0.O2' for sigma_xy in line 1"));
         assert!(message("A,1,2,3,x,0.03\nB,1,2,3,0.02,0.03\n").contains("'x' for sigma_xy in line 1"));

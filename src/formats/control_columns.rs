@@ -3,6 +3,8 @@
 use super::columns::{LENGTHS, letters, others, without_unit};
 use super::control_order::errors_in_order;
 use super::control_use::Uses;
+use super::system_line::SystemLine;
+use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
 use crate::text::{Headed, Records, shorten};
 use crate::{Error, Refusal};
@@ -34,25 +36,27 @@ const NAMES: [(Column, &str); 9] = [
     (
         Column::Name,
         "name label point pointname id pointid gcp gcpname gcpid number pointnumber nr no pointno pointnr pt ptid ptno marker \
-         punkt punktname punktnummer punktnr bezeichnung matricule n° nº numéro numero número num punto pto nom nombre nome ponto # \
+         punkt punktname punktnummer punktnr pktnr pkt bezeichnung nomdupoint matricule n° nº numéro numero número num punto pto nom nombre nome ponto # \
          النقطة نقطة رقمالنقطة اسمالنقطة الاسم الرقم",
     ),
     (
         Column::X,
         "x e east easting longitude lon rechtswert ost xeasting long xlongitude rechts ostwert eastings \
-         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine الشرق شرق الشرقيات خطالطول",
+         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine coordenadax xcoordinate coordinatex xcoord coordx \
+         الشرق شرق الشرقيات شرقيات خطالطول خططول",
     ),
     (
         Column::Y,
         "y n north northing latitude lat hochwert nord ynorthing ylatitude hoch nordwert northings \
-         breite gpslatitude ylat norte latitud latitudine الشمال شمال الشماليات خطالعرض",
+         breite gpslatitude ylat norte latitud latitudine coordenaday ycoordinate coordinatey ycoord coordy \
+         الشمال شمال الشماليات شماليات خطالعرض خطعرض دائرةالعرض",
     ),
     (
         Column::Z,
         // With the sign for a letter that was not in UTF-8, too.
-        "z h height elevation altitude elev höhe alt zaltitude zelevation zheight hoehe h\u{fffd}he orthometricheight ellipsoidalheight \
+        "z h height elevation altitude elev höhe alt zaltitude zelevation zheight hoehe h\u{fffd}he orthometricheight orthoheight ellipsoidalheight \
          ellipsoidheight ellheight hell ellipsoidischehöhe ellipsoidischehoehe heightellipsoidal gpsaltitude zalt up \
-         cota quota cote hauteur altura altitud altitudine elevación elevacion elevação الارتفاع ارتفاع المنسوب منسوب",
+         cota quota cote hauteur altura altitud altitudine coordenadaz zcoordinate coordinatez zcoord coordz elevación elevacion elevação الارتفاع ارتفاع المنسوب منسوب",
     ),
     (Column::ErrorAcross, "across acch"),
     (Column::ErrorUp, "accv uperror"),
@@ -99,7 +103,7 @@ pub(super) enum Unit {
 }
 
 /// Units as tables write them.
-const UNITS: [(&str, Unit); 25] = [
+const UNITS: [(&str, Unit); 29] = [
     ("m", Unit::Length("m")),
     ("metre", Unit::Length("m")),
     ("metres", Unit::Length("m")),
@@ -117,8 +121,12 @@ const UNITS: [(&str, Unit); 25] = [
     ("usft", Unit::Length("us-ft")),
     ("ussft", Unit::Length("us-ft")),
     ("ftus", Unit::Length("us-ft")),
+    ("sft", Unit::Length("us-ft")),
     ("us survey feet", Unit::Length("us-ft")),
     ("us survey foot", Unit::Length("us-ft")),
+    ("ift", Unit::Length("ft")),
+    ("international feet", Unit::Length("ft")),
+    ("international foot", Unit::Length("ft")),
     ("ft", Unit::Length("ft")),
     ("feet", Unit::Length("ft")),
     ("foot", Unit::Length("ft")),
@@ -151,7 +159,9 @@ pub(super) enum Coordinates {
 /// What coordinates the name of a column of x or y says to hold.
 pub(super) fn coordinates_of(name: &str) -> Coordinates {
     let plain = plain(name);
-    let is_of_degrees = ["lon", "lng", "länge", "laenge", "lat", "breite"].iter().any(|word| plain.contains(word));
+    let is_of_degrees = ["lon", "lng", "länge", "laenge", "lat", "breite", "خطالطول", "خططول", "خطالعرض", "خطعرض", "دائرةالعرض"]
+        .iter()
+        .any(|word| plain.contains(word));
     match () {
         () if plain == "x" || plain == "y" || (is_of_degrees && plain.starts_with(['x', 'y'])) => Coordinates::Either,
         () if is_of_degrees => Coordinates::Geographic,
@@ -169,9 +179,18 @@ pub(super) fn is_ellipsoidal(name: &str) -> Option<bool> {
     }
 }
 
-/// What a name of letters says of NAMES, and how early it stands among the names for that.
+/// What a name of letters says of NAMES, and how early it stands among the names for that: a letter, which may be of something else (`n` satellites, `h` of
+/// an antenna), behind all words.
 fn listed(plain: &str) -> Option<(Column, usize)> {
-    NAMES.iter().find_map(|(column, names)| Some((*column, names.split(' ').position(|known| known == plain)?)))
+    let behind = if is_lone_letter(plain) { BEHIND_WORDS } else { 0 };
+    NAMES.iter().find_map(|(column, names)| Some((*column, behind + names.split(' ').position(|known| known == plain)?)))
+}
+
+/// Ranks of letters follow those of words.
+const BEHIND_WORDS: usize = 1000;
+
+fn is_lone_letter(plain: &str) -> bool {
+    matches!(plain, "e" | "n" | "h")
 }
 
 /// What a name of an axis in a letter and in a word says, as `x (nord)`, `y/rechtswert` or `hochwert (x)`: the word counts, since letters are exchanged in
@@ -240,6 +259,19 @@ fn has_unknown_error_unit(name: &str) -> bool {
     }
 }
 
+/// Refuses a column of coordinates that would be the wanted one but for a unit in brackets that is not known.
+pub(super) fn check_unit(records: &Records, names: &StringRecord, wanted: Column) -> Result<(), Error> {
+    let is_wanted = |name: &&str| {
+        let joined = named(name).0;
+        // A word for an axis, as `Ost (Nord)` has it, is no unit.
+        let parts = joined.trim_end().strip_suffix([')', ']']).and_then(|inner| inner.rsplit_once(['(', '[']));
+        let bare = parts.filter(|(_, unit)| listed(&letters(unit)).is_none()).map(|(bare, _)| letters(bare));
+        bare.and_then(|bare| listed(&bare)).is_some_and(|(column, _)| column == wanted)
+    };
+    let Some(name) = names.iter().find(is_wanted).filter(|_| matches!(wanted, Column::X | Column::Y | Column::Z)) else { return Ok(()) };
+    refuse(Refusal::ColumnUnit { input: records.input(), column: shorten(name), units: LENGTHS.map(|(unit, _)| unit).join(", ") })
+}
+
 /// The names of a column, between blanks.
 pub(super) fn names_of(column: Column) -> &'static str {
     NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known)
@@ -258,7 +290,7 @@ pub(super) fn unit_m(name: &str) -> f64 {
     }
 }
 
-/// What each column of a line of names holds. `up` beside another height, where errors of the place but none of the height are named, is that error.
+/// What each column of a line of names holds. `up` beside another height, where errors of the place but none of the height are named, is that error; so is `h` beside errors of both axes.
 pub(super) fn meanings(record: &StringRecord) -> Vec<Option<Column>> {
     let mut found: Vec<Option<Column>> = record.iter().map(|name| meaning_of(name).map(|(column, _)| column)).collect();
     let is_up = |column: &usize| record.get(*column).is_some_and(|name| plain(name) == "up");
@@ -266,6 +298,11 @@ pub(super) fn meanings(record: &StringRecord) -> Vec<Option<Column>> {
     let lacks_error = found.contains(&Some(Column::ErrorAcross)) && !found.contains(&Some(Column::ErrorUp));
     if has_height && lacks_error {
         (0..found.len()).filter(is_up).for_each(|column| found[column] = Some(Column::ErrorUp));
+    }
+    let is_of_h =
+        |column: &usize| record.get(*column).is_some_and(|name| ERRORS.iter().any(|word| plain(name).strip_prefix(word) == Some("h")));
+    if found.contains(&Some(Column::ErrorX)) && found.contains(&Some(Column::ErrorY)) && !found.contains(&Some(Column::ErrorUp)) {
+        (0..found.len()).filter(is_of_h).for_each(|column| found[column] = Some(Column::ErrorUp));
     }
     found
 }
@@ -302,16 +339,24 @@ const NEEDED: [(Column, &str); 4] = [(Column::Name, "name"), (Column::X, "x"), (
 impl<'a> Layout<'a> {
     /// The columns of a table by the line that names them, or by their order.
     pub fn of(records: &'a Records) -> Result<Self, Error> {
+        SystemLine::refuse_in(records)?;
+        records.check_thousands()?;
         let needed = |names: &StringRecord| {
             let meanings = meanings(names);
-            NEEDED.map(|(column, _)| place(names, &meanings, column))
+            let [name, x, y, z] = NEEDED.map(|(column, _)| place(names, &meanings, column));
+            let [x, y] = plane(names, &meanings).map_or([x, y], |plane| plane.map(Some));
+            [name, x, y, z]
         };
         let Headed { names, rows, misplaced } = records.headed(needed, &units())?;
         if let Some(names) = names {
-            return Ok(Self { columns: Columns::named_by(&names, needed(&names), rows)?, names: Some(names), rows });
+            let columns = Columns::named_by(&names, needed(&names), rows)?;
+            columns.numbers().check(records, rows)?;
+            return Ok(Self { columns, names: Some(names), rows });
         }
         let has_number = |record: &StringRecord, column: usize| record.get(column).is_some_and(|field| records.number(field).is_some());
-        let is_in_order = misplaced.is_none() && rows.first().is_none_or(|(_, first)| (1..4).all(|column| has_number(first, column)));
+        // Of points that were not surveyed yet the coordinates are empty.
+        let first = || rows.iter().map(|(_, record)| record).find(|record| !Columns::default().lacks_coordinates(record));
+        let is_in_order = misplaced.is_none() && first().is_none_or(|first| (1..4).all(|column| has_number(first, column)));
         if is_in_order {
             let columns = Columns { standard_errors: errors_in_order(records)?, ..Columns::default() };
             return Ok(Self { columns, names: None, rows });
@@ -319,6 +364,9 @@ impl<'a> Layout<'a> {
         let shown = misplaced.as_ref().or_else(|| records.likely_head(needed));
         let missing = shown.and_then(|names| needed(names).iter().position(Option::is_none)).unwrap_or(0);
         let (column, name) = NEEDED[missing];
+        if let Some(names) = shown {
+            check_unit(records, names, column)?;
+        }
         let known = NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known);
         let names = shown.map_or_else(String::new, |names| records.shown(names));
         refuse(Refusal::ControlColumn { column: name.into(), known: others(known), names })
@@ -329,6 +377,21 @@ impl<'a> Layout<'a> {
 fn place(names: &StringRecord, meanings: &[Option<Column>], wanted: Column) -> Option<usize> {
     let rank = |column: usize| names.get(column).and_then(meaning_of).map_or(usize::MAX, |(_, rank)| rank);
     (0..meanings.len()).filter(|k| meanings[*k] == Some(wanted)).min_by_key(|column| (rank(*column), *column))
+}
+
+/// The columns of x and y that are named in one way: by words of the plane, by letters, or as longitude and latitude.
+fn plane(names: &StringRecord, meanings: &[Option<Column>]) -> Option<[usize; 2]> {
+    let way = |column: usize| {
+        let name = names.get(column).unwrap_or("");
+        match coordinates_of(name) {
+            Coordinates::Geographic => 2,
+            _ => usize::from(is_lone_letter(&plain(name))),
+        }
+    };
+    (0..3).find_map(|wanted| {
+        let of_way: Vec<Option<Column>> = meanings.iter().enumerate().map(|(k, is)| is.filter(|_| way(k) == wanted)).collect();
+        Some([place(names, &of_way, Column::X)?, place(names, &of_way, Column::Y)?])
+    })
 }
 
 impl Columns {
@@ -342,7 +405,8 @@ impl Columns {
         }
         let apart = place(Column::ErrorX).zip(place(Column::ErrorY)).map(|(x, y)| [x, y]);
         let of_all = place(Column::ErrorAll);
-        let across = place(Column::ErrorAcross).map(|column| [column; 2]).or(apart).or(of_all.map(|column| [column; 2]));
+        // That of the place may be of both axes together.
+        let across = apart.or(place(Column::ErrorAcross).or(of_all).map(|column| [column; 2]));
         let standard_errors = across.zip(place(Column::ErrorUp).or(of_all));
         let errors = [Column::ErrorAcross, Column::ErrorX, Column::ErrorY, Column::ErrorUp];
         if let (None, Some(one)) = (standard_errors, errors.into_iter().find_map(place)) {
@@ -359,6 +423,19 @@ impl Columns {
             uses: Uses::of(rows, place(Column::Use), place(Column::Kind), place(Column::Enabled)),
             sigma_px: place(Column::ErrorPx),
         })
+    }
+
+    /// Whether a row has none of x, y and z.
+    pub fn lacks_coordinates(&self, record: &StringRecord) -> bool {
+        self.position.into_iter().all(|column| record.get(column) == Some(""))
+    }
+
+    /// Its numbers, and what is none.
+    fn numbers(&self) -> NumberColumns {
+        let errors = self.standard_errors.into_iter().flat_map(|([x, y], z)| [x, y, z]).zip(self.error_units_m);
+        let texts = [Some(self.name), self.uses.role, self.uses.enabled].into_iter().flatten();
+        let read = self.position.into_iter().chain(self.sigma_px);
+        NumberColumns { read: read.collect(), errors: errors.collect(), texts: texts.collect() }
     }
 
     /// The columns that are read.

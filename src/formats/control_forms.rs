@@ -1,8 +1,9 @@
 //! Tests: tables of control points and image measurements in the forms of surveyors' programs.
 
 use super::columns::UnreadColumns;
-use super::control::{parse_ground_control_points, stated_units, unread_columns};
-use super::marks::parse_image_measurements;
+use super::control::{ground_control_table, parse_ground_control_points, points_without_coordinates, stated_units, unread_columns};
+use super::marks::{ImageMeasurementRow, image_measurement_table, parse_image_measurements};
+use super::positions::parse_image_positions;
 use crate::ControlRole;
 
 fn first(text: &str) -> (String, [f64; 3], Option<[f64; 2]>) {
@@ -128,7 +129,7 @@ fn standard_errors_in_other_units_are_converted_or_refused() {
         ("Accuracy [mm]", "20", [0.02, 0.02]),
         ("Genauigkeit Lage,Genauigkeit Höhe", "0.02,0.03", [0.02, 0.03]),
         ("sigma E,sigma N,Höhengenauigkeit", "0.02,0.01,0.03", [0.02, 0.03]),
-        ("sigma_xy (ft),sigma_z (us-ft)", "1,3937", [0.3048, 1200.0]),
+        ("sigma_xy (ft),sigma_z (us-ft)", "1.0,3937", [0.3048, 1200.0]),
     ] {
         let [across, up] = first(&format!("name,x,y,z,{head}\nA,1,2,3,{values}\n")).2.unwrap();
         assert!((across - wanted[0]).abs() < 1e-12 && (up - wanted[1]).abs() < 1e-9, "{head}: {across} {up}");
@@ -205,4 +206,154 @@ fn heads_in_other_languages_below_titles_and_above_units_are_read() {
     assert!(message("Passpunkte\n7;2;1;3\n").contains("'Passpunkte'"));
     // A message shows the line that names most.
     assert!(message("Liste\nPunkt;Rechts;Hoch;Koten\n7;2;1;3\n").contains("neither a column 'z'"));
+}
+
+#[test]
+fn decimal_commas_do_not_hide_in_named_columns_that_are_left_over() {
+    for text in [
+        "name,x,y,z,sigma_xy,sigma_z,code\nA,428374,069,5316020,123,104,5\n",
+        "name,x,y,z,sigma_xy,sigma_z\nA,428374,5,5316020,123,104\n",
+        "name,x,y,z,date,remark\nA,428374,5,5316020,123,104\n",
+        "name,x,y,z\nA,428374,069,5316020\n",
+        "A,428374,069,5316020\n",
+    ] {
+        assert!(message(text).contains("may be meant as decimal commas"), "{text}: {}", message(text));
+    }
+    assert!(marks_message("image,point,x,y,error,size\na.jpg,P1,10,5,20,25\n").contains("may be meant as decimal commas"));
+    // Tables of whole numbers have as many as are read, and a point anywhere shows that commas are none.
+    assert_eq!(first("name,x,y,z\nA,428374,5316020,104\n").1, [428_374.0, 5_316_020.0, 104.0]);
+    assert_eq!(first("name,x,y,z,sigma_xy,sigma_z,code\nA,428374,5316020,104,1,2,TP\n").2, Some([1.0, 2.0]));
+    assert_eq!(first("x,y,z,nr\n428374,5316020,104,7\n").0, "7");
+    assert_eq!(first("name,x,y,z,enabled,code\nA,428374,5316020,104,1,TP\n").1[2], 104.0);
+    assert_eq!(first("name,x,y,z,code\nA,428374,5316020,104,5\nB,428374.5,5316020,104,5\n").1[2], 104.0);
+    for text in ["image,point,x,y\na.jpg,P1,10,5\n", "id,image,point,x,y\n7,a.jpg,1,10,5\n", "x,y,point,image\n10,5,1,a.jpg\n"] {
+        let mark = parse_image_measurements(text).unwrap().remove(0);
+        assert_eq!([mark.x_px, mark.y_px], [10.0, 5.0], "{text}");
+    }
+}
+
+#[test]
+fn points_without_coordinates_are_skipped_and_named() {
+    for text in [
+        "#Label,X/Easting,Y/Northing,Z/Altitude\nP0,,,\nP1,412630.5,5316020.25,104.5\nP2,,,\n",
+        "#Label,X/Easting,Y/Northing,Z/Altitude,X_est,Y_est,Z_est\nP0,,,,412630.1,5316020.1,104\nP1,412630.5,5316020.25,104.5,1,2,3\nP2,,,,,,\n",
+        "name,x,y,z\nP0,,,\nP1,412630.5,5316020.25,104.5\nP2,,,\n",
+        "P0;;;\nP1;412630,5;5316020,25;104,5\nP2;;;\n",
+    ] {
+        let points = parse_ground_control_points(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let names: Vec<&str> = points.iter().map(|point| point.name.as_str()).collect();
+        assert_eq!((names, points[0].position), (vec!["P1"], [412_630.5, 5_316_020.25, 104.5]), "{text}");
+        assert_eq!(points_without_coordinates(text).unwrap(), ["P0", "P2"], "{text}");
+    }
+    assert!(message("name,x,y,z\nP0,412630.5,,\nP1,1,2,3\n").contains("'' for y in line 2"));
+    assert!(message("name,x,y,z\nP1,1,2,3\nTotal\n").contains("'' for x in line 3"));
+}
+
+#[test]
+fn names_that_begin_as_a_comment_does_read_back() {
+    let points = parse_ground_control_points("x,y,z,name\n1.5,2,3,#1\n2.5,3,4,# 2\n").unwrap();
+    assert_eq!(points[1].name, "# 2");
+    assert_eq!(parse_ground_control_points(&ground_control_table(&points)).unwrap(), points);
+    let marks = parse_image_measurements("point,image,x,y\n#1,x/#1.jpg,1.5,2\nP,#1.jpg,1.5,2\n").unwrap();
+    assert_eq!(marks.len(), 1, "a line that begins with the sign is a comment");
+    let marks = [ImageMeasurementRow { image: "#1.jpg".into(), point: "#1".into(), x_px: 1.5, y_px: 2.0 }];
+    assert_eq!(parse_image_measurements(&image_measurement_table(&marks)).unwrap(), marks);
+}
+
+#[test]
+fn a_column_that_may_be_something_else_is_read_where_no_better_one_is_named() {
+    let wanted = [446_833.2, 5_594_521.7, 124.0];
+    for text in [
+        "Nr,Easting,Northing,Height,N\n1,446833.2,5594521.7,124,5\n",
+        "N,Easting,Northing,Height,Point\n5,446833.2,5594521.7,124,1\n",
+        "Point,Northing,Easting,Elevation,h\n1,5594521.7,446833.2,124,1.8\n",
+        "Point,N,E,h\n1,5594521.7,446833.2,124\n",
+        "Point,Longitude,Latitude,E,N,H\n1,8.25,50.5,446833.2,5594521.7,124\n",
+        "Point,x,y,z,lon,lat,h\n1,446833.2,5594521.7,124,8.25,50.5,171\n",
+    ] {
+        assert_eq!(first(text).1, wanted, "{text}");
+    }
+    assert_eq!(first("Point,Longitude,Latitude,Height,N\n1,8.25,50.5,124,5\n").1, [8.25, 50.5, 124.0]);
+    // Emlid: the lateral error is of both axes together.
+    let emlid = "Name,Easting,Northing,Elevation,Easting RMS,Northing RMS,Elevation RMS,Lateral RMS\nP1,1,2,3,0.010,0.012,0.020,0.016\n";
+    assert_eq!((first(emlid).2, unread_columns(emlid).unwrap().doubled), (Some([0.012, 0.02]), vec!["Lateral RMS (Easting RMS)".into()]));
+    for head in ["SdE,SdN,SdH", "Std Dev E,Std Dev N,Std Dev H", "sigma_e,sigma_n,sigma_h"] {
+        assert_eq!(first(&format!("Point,East,North,Height,{head}\nP1,1,2,3,0.01,0.03,0.02\n")).2, Some([0.03, 0.02]), "{head}");
+    }
+    for head in ["image,point,X,Y,Z,x_px,y_px", "image,point,X,Y,Z,Column (px),Row (px)", "image,point,x,y,z,px,py"] {
+        let mark = parse_image_measurements(&format!("{head}\na.jpg,P1,446833.5,5594521,124,10,20\n")).unwrap().remove(0);
+        assert_eq!([mark.x_px, mark.y_px], [10.0, 20.0], "{head}");
+    }
+}
+
+#[test]
+fn arabic_tables_are_read_with_longitudes_and_arabic_commas() {
+    assert_eq!(first("اسم النقطة؛شرقيات؛شماليات؛منسوب\nP1؛446833,25؛5594521,5؛124,5\n").1, [446_833.25, 5_594_521.5, 124.5]);
+    assert_eq!(first("الاسم،الشرق،الشمال،الارتفاع\nP1،446833.25،5594521.5،124.5\n").1, [446_833.25, 5_594_521.5, 124.5]);
+    for head in ["الصورة;خط الطول;خط العرض;الارتفاع", "صورة;خط طول;خط عرض;ارتفاع"] {
+        let positions = parse_image_positions(&format!("{head}\na.jpg;8.25;50.5;171.5\n")).unwrap();
+        assert_eq!(
+            (positions.is_geographic, positions.rows[0].place, positions.rows[0].height),
+            (true, [8.25, 50.5], Some(171.5)),
+            "{head}"
+        );
+    }
+}
+
+#[test]
+fn further_names_of_other_programs_are_known() {
+    for head in [
+        "PktNr;Rechtswert;Hochwert;Hoehe",
+        "Pkt;Y (Ost);X (Nord);H",
+        "Nom du point;Est (m);Nord (m);Altitude (m)",
+        "Punto;Coordenada X;Coordenada Y;Cota",
+        "Point;Easting;Northing;Ortho Height",
+    ] {
+        assert_eq!(first(&format!("{head}\n7;1,5;2,5;3,5\n")), ("7".into(), [1.5, 2.5, 3.5], None), "{head}");
+    }
+    assert_eq!(parse_image_positions("Nom;Latitude;Longitude;Altitude\na.jpg;50,5;8,25;171,5\n").unwrap().rows[0].image, "a.jpg");
+    // Metashape.
+    let mark = parse_image_measurements("#Label,Camera,X,Y\nP1,a.jpg,10.5,20\n").unwrap().remove(0);
+    assert_eq!((&mark.image[..], &mark.point[..], mark.x_px), ("a.jpg", "P1", 10.5));
+    let feet = "Point,Easting (sFT),Northing (ift),Elev (International feet)\n1,1,2,3\n";
+    assert_eq!(stated_units(feet).unwrap().iter().map(|is| is.unit).collect::<Vec<_>>(), ["us-ft", "ft", "ft"]);
+}
+
+#[test]
+fn units_that_are_not_known_thousands_and_tables_of_opendronemap_are_refused_for_what_they_are() {
+    for (text, named) in [
+        (
+            "Point,Easting [inch],Northing [inch],H\n1,1.5,2,3\n",
+            "the column 'Easting [inch]', in a unit that is not known; allowed: degrees or mm,",
+        ),
+        ("Point,Easting,Northing,H (rod)\n1,1.5,2,3\n", "the column 'H (rod)', in a unit"),
+        (
+            "Punkt;Rechtswert;Hochwert;Höhe\nP1;446.833,25;5.594.521,50;124,5\n",
+            "'446.833,25' for x in line 2, which seems to have signs before its thousands",
+        ),
+        ("Punkt;Rechtswert;Hochwert;Höhe\nP1;446 833,25;5 594 521,50;124,5\n", "'446 833,25' for x in line 2, which seems"),
+        ("Punkt;Y;X;H\nP1;2'600'000.12;1'200'000.34;540.1\n", "'1'200'000.34' for x in line 2, which seems"),
+        (
+            "name;x;y;z\nP1;446,833;594,521;1,240\n",
+            "'P1;446,833;594,521;1,240' in line 2, where no number of the table says whether commas",
+        ),
+        ("name\tx\ty\tz\nP1\t446,833\t594,521\t124\n", "whether commas stand before thousands"),
+        (
+            "EPSG:32632\n4490.1 5300.2 300.5 100 200 a.jpg P1\n",
+            "the table of control points: got the first line 'EPSG:32632', as tables of OpenDroneMap begin",
+        ),
+        ("+proj=utm +zone=10 +ellps=WGS84\n544256.7 5320919.9 5 3044 2622 a.jpg P1\n", "as tables of OpenDroneMap begin"),
+    ] {
+        assert!(message(text).contains(named), "{text}: {}", message(text));
+    }
+    assert!(
+        marks_message("EPSG:32632\n4490.1 5300.2 300.5 100 200 a.jpg P1\n").contains("the table of image measurements: got the first line")
+    );
+    let inches = parse_image_positions("image,Easting [inch],Northing [inch]\na,1.5,2\n").unwrap_err().to_string();
+    assert!(inches.contains("the table of image positions: got the column 'Easting [inch]', in a unit"), "{inches}");
+    let thousands = parse_image_positions("Bild;Rechtswert;Hochwert\na;446.833,25;5.594.521,50\n").unwrap_err().to_string();
+    assert!(thousands.contains("'446.833,25' for Rechtswert in line 2, which seems"), "{thousands}");
+    assert!(parse_image_positions("image;x;y\na;446,833;594,521\n").unwrap_err().to_string().contains("whether commas"));
+    // One comma that can only be decimal says it of all.
+    assert_eq!(first("name;x;y;z\nP1;446,833;594,521;0,240\n").1, [446.833, 594.521, 0.24]);
 }

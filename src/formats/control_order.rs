@@ -1,14 +1,15 @@
 //! What the columns of a table of control points hold that nothing names: by their order and their numbers.
 
+use super::whole_numbers::{LEAST_FIGURES, has_leading_zero};
 use crate::error::refuse;
-use crate::text::Records;
+use crate::text::{Records, filled};
 use crate::{Error, Input, Refusal};
 use csv::StringRecord;
 
 /// Largest standard error that is told from a coordinate, in m.
 const MOST_ERROR_M: f64 = 10.0;
-/// Whole numbers from here on are the figures behind a decimal comma rather than standard errors.
-const LEAST_FIGURES: f64 = 10.0;
+/// Where a code stands.
+const CODE: usize = 4;
 /// Numbers of a point with the standard errors of its place and its height, and with those of all three coordinates.
 const WITH_TWO: usize = 5;
 const WITH_THREE: usize = 6;
@@ -27,8 +28,8 @@ pub(super) fn errors_in_order(records: &Records) -> Result<Option<([usize; 2], u
         if numbers.len() > WITH_THREE || (numbers.len() == WITH_THREE && (!are_small || records.may_be_cut(&numbers))) {
             return refused(|record, numbers, line| Refusal::ControlNumbers { record, numbers, line, most_m: MOST_ERROR_M });
         }
-        let may_be_figures = numbers.iter().skip(3).any(|field| has_figures(records, field));
-        if numbers.len() == WITH_TWO && records.may_be_cut(&numbers) && may_be_figures {
+        let may_be_figures = numbers.len() == WITH_TWO && numbers.iter().skip(3).any(|field| is_large(records, field));
+        if records.may_be_cut(&numbers) && (may_be_figures || numbers.iter().any(|field| has_leading_zero(field))) {
             return refused(|record, _, line| Refusal::DecimalCommas { input: Input::ControlTable, record, line });
         }
         // A name with a blank in it shifts what stands behind it.
@@ -43,14 +44,20 @@ pub(super) fn errors_in_order(records: &Records) -> Result<Option<([usize; 2], u
     })
 }
 
-fn has_figures(records: &Records, field: &str) -> bool {
-    records.number(field).is_some_and(|number| number >= LEAST_FIGURES) || (field.len() > 1 && field.starts_with('0'))
+fn is_large(records: &Records, field: &str) -> bool {
+    records.number(field).is_some_and(|number| number >= LEAST_FIGURES)
 }
 
-/// A word behind the coordinates is a code or a remark.
+/// Words in the last column, directly behind the coordinates, are codes or remarks, and so are numbers that are too large for standard errors and no halves of
+/// coordinates.
 fn has_code(records: &Records) -> bool {
-    let is_number = |record: &StringRecord| record.get(4).is_some_and(|field| records.number(field).is_some());
-    let first = records.rows.first().and_then(|(_, first)| first.get(4));
-    let word = first.filter(|field| !field.is_empty() && !field.contains(|letter: char| letter.is_ascii_digit()));
-    word.is_some() && !records.rows.iter().any(|(_, record)| is_number(record))
+    let is_last = records.rows.iter().all(|(_, record)| filled(record) <= CODE + 1);
+    let mut has_any = false;
+    let is_code = |record: &StringRecord| {
+        let field = record.get(CODE).unwrap_or("");
+        has_any |= !field.is_empty();
+        let coordinates: Vec<&str> = record.iter().skip(1).take(3).collect();
+        records.number(field).is_none() || (is_large(records, field) && field.parse::<u64>().is_ok() && !records.may_be_cut(&coordinates))
+    };
+    is_last && records.rows.iter().map(|(_, record)| record).all(is_code) && has_any
 }

@@ -1,6 +1,8 @@
 //! Reading where images show surveyed points.
 
 use super::columns::{IMAGES, letters, others, without_unit};
+use super::system_line::SystemLine;
+use super::whole_numbers::{NumberColumns, has_leading_zero};
 use crate::error::refuse;
 use crate::text::{Headed, NumberedRecord, Records, Row, records, shorten, table};
 use crate::{Error, Input, Refusal};
@@ -36,6 +38,7 @@ pub fn parse_image_measurements(text: &str) -> Result<Vec<ImageMeasurementRow>, 
     let mut seen = BTreeSet::new();
     let mut marks = Vec::new();
     let records = records(Input::MarkTable, text)?;
+    SystemLine::refuse_in(&records)?;
     let ([of_image, of_point, of_x, of_y], rows) = columns_of(&records)?;
     for (line, record) in rows {
         let (field, line) = (|column: usize| record.get(column).unwrap_or(""), *line);
@@ -68,16 +71,33 @@ const NAMES: [&str; 4] = [
 
 const UNITS: [&str; 4] = ["px", "pix", "pixel", "pixels"];
 
-/// Where a line of names says that image, point, x and y stand.
+/// Names of the column of images beside those that other tables have.
+const FURTHER_IMAGES: &str = "camera cameralabel";
+
+/// Where a line of names says that image, point, x and y stand. Of several columns those of pixels are read: others may be of the ground.
 fn find(names: &StringRecord) -> [Option<usize>; 4] {
-    let letters: Vec<String> = names.iter().map(|name| letters(&without_unit(name, &UNITS).0)).collect();
-    NAMES.map(|names| names.split(' ').find_map(|name| letters.iter().position(|column| column == name)))
+    let columns: Vec<(String, bool)> =
+        names.iter().map(|name| without_unit(name, &UNITS)).map(|(name, unit)| of_pixels(&name, unit)).collect();
+    let first = |name: &str, pixels: bool| columns.iter().position(|(column, of_pixels)| column == name && *of_pixels == pixels);
+    let [image, point, x, y] = NAMES.map(|names| {
+        let any = |pixels: bool| names.split(' ').find_map(|name| first(name, pixels));
+        any(true).or_else(|| any(false))
+    });
+    [image.or_else(|| FURTHER_IMAGES.split(' ').find_map(|name| first(name, false))), point, x, y]
+}
+
+/// A name in letters, and whether it says that the column is of pixels.
+fn of_pixels(name: &str, unit: Option<&str>) -> (String, bool) {
+    let name = letters(name);
+    let is_of_pixels = unit.is_some() || ["px", "py", "pix"].iter().any(|word| name.contains(word));
+    (name, is_of_pixels)
 }
 
 /// Where image, point, x and y stand, and the rows that have them.
 fn columns_of(records: &Records) -> Result<([usize; 4], &[NumberedRecord]), Error> {
     let Headed { names, rows, misplaced } = records.headed(find, &UNITS)?;
     if let Some([Some(image), Some(point), Some(x), Some(y)]) = names.as_ref().map(find) {
+        NumberColumns { read: vec![x, y], errors: Vec::new(), texts: vec![image, point] }.check(records, rows)?;
         return Ok(([image, point, x, y], rows));
     }
     let missing = |names: &StringRecord| {
@@ -108,7 +128,7 @@ fn check_fields(records: &Records) -> Result<(), Error> {
             return refuse(Refusal::BlankFields { input: Input::MarkTable, record: shown(), line, columns: IN_ORDER.len() });
         }
         let numbers: Vec<&str> = record.iter().skip(2).take_while(|field| records.number(field).is_some()).collect();
-        if numbers.len() > 2 && records.may_be_cut(&numbers) {
+        if (numbers.len() > 2 || numbers.iter().any(|field| has_leading_zero(field))) && records.may_be_cut(&numbers) {
             return refuse(Refusal::DecimalCommas { input: Input::MarkTable, record: shown(), line });
         }
     }

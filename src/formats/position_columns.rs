@@ -2,14 +2,16 @@
 
 use super::columns::{IMAGES, UnreadColumns, letters, others, without_unit};
 use super::control::StatedUnit;
-use super::control_columns::{Column, Coordinates, coordinates_of, is_ellipsoidal, meaning_of, meanings, names_of, unit_m};
+use super::control_columns::{Column, Coordinates, check_unit, coordinates_of, is_ellipsoidal, meaning_of, meanings, names_of, unit_m};
+use super::hemispheres::Axis;
+use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
-use crate::text::{NumberedRecord, Records};
+use crate::text::{NumberedRecord, Records, filled};
 use crate::{Error, Refusal};
 use csv::StringRecord;
 
 /// Names of the column of images beside those that tables of measurements have.
-const FURTHER: &str = "name label cameralabel";
+const FURTHER: &str = "name label cameralabel nom nombre nome";
 
 /// The columns of a table of image positions.
 #[derive(Debug, Clone)]
@@ -18,6 +20,8 @@ pub(super) struct PositionColumns {
     /// Of x and y, or of longitude and latitude.
     pub place: [usize; 2],
     pub height: Option<usize>,
+    /// Of the hemispheres of longitude and latitude, and of the side of sea level.
+    pub sides: [Option<usize>; 3],
     /// Of the standard errors of x and of y, of which the larger one counts.
     pub across: Option<[usize; 2]>,
     pub up: Option<usize>,
@@ -28,9 +32,9 @@ pub(super) struct PositionColumns {
 }
 
 impl PositionColumns {
-    /// The columns of rows without names: standard errors stand behind the height where nothing follows them, or behind three angles.
-    pub fn in_order(records: &Records) -> Self {
-        let width = records.rows.iter().map(|(_, record)| record.len()).max().unwrap_or(0);
+    /// The columns of rows without names. `coordinates`: what x and y are, where the table says its system. Standard errors stand behind the height where nothing follows them, or behind three angles.
+    pub fn in_order(records: &Records, coordinates: Option<Coordinates>) -> Self {
+        let width = records.rows.iter().map(|(_, record)| filled(record)).max().unwrap_or(0);
         let errors = match width {
             6 => Some(4),
             9 => Some(7),
@@ -40,10 +44,11 @@ impl PositionColumns {
             image: 0,
             place: [1, 2],
             height: Some(3).filter(|column| *column < width),
+            sides: [None; 3],
             across: errors.map(|column| [column; 2]),
             up: errors.map(|column| column + 1),
             error_units_m: [1.0; 3],
-            coordinates: None,
+            coordinates,
         }
     }
 
@@ -71,6 +76,11 @@ impl PositionColumns {
             return Err(missing("image", others(&format!("{IMAGES} {FURTHER}"))));
         };
         let (xs, ys) = (all(Column::X), all(Column::Y));
+        for (wanted, found) in [(Column::X, &xs), (Column::Y, &ys)] {
+            if found.is_empty() {
+                check_unit(records, head, wanted)?;
+            }
+        }
         let of = |columns: &[usize], kind| columns.iter().copied().find(|column| coordinates_of(name(*column)) == kind);
         let kinds = [Coordinates::Geographic, Coordinates::Either, Coordinates::Plane];
         let pair = kinds.into_iter().find_map(|kind| Some((of(&xs, kind)?, of(&ys, kind)?, kind)));
@@ -95,18 +105,42 @@ impl PositionColumns {
                 heights.iter().find(above_ellipsoid).or_else(|| heights.iter().find(open)).copied()
             }
         };
+        let is_of_degrees = coordinates == Coordinates::Geographic;
+        let sides = [
+            side_column(head, Axis::Longitude).filter(|_| is_of_degrees),
+            side_column(head, Axis::Latitude).filter(|_| is_of_degrees),
+            side_column(head, Axis::Height).filter(|column| height.is_some_and(|height| is_side_of(name(*column), name(height)))),
+        ];
         let apart = first(Column::ErrorX).zip(first(Column::ErrorY)).map(|(x, y)| [x, y]);
         let of_all = first(Column::ErrorAll);
-        let across = first(Column::ErrorAcross).map(|column| [column; 2]).or(apart).or(of_all.map(|column| [column; 2]));
+        // That of the place may be of both axes together.
+        let across = apart.or(first(Column::ErrorAcross).or(of_all).map(|column| [column; 2]));
         let up = first(Column::ErrorUp).or(of_all);
         let unit = |column: Option<usize>| column.map_or(1.0, |column| unit_m(name(column)));
         let error_units_m = [unit(across.map(|[x, _]| x)), unit(across.map(|[_, y]| y)), unit(up)];
-        Ok(Self { image, place: [x, y], height, across, up, error_units_m, coordinates: Some(coordinates) })
+        Ok(Self { image, place: [x, y], height, sides, across, up, error_units_m, coordinates: Some(coordinates) })
+    }
+
+    /// Its numbers, and what is none. Standard errors beside whole degrees are rather halves of these.
+    pub fn numbers(&self) -> NumberColumns {
+        let is_of_degrees = self.coordinates == Some(Coordinates::Geographic);
+        let [unit_x, unit_y, unit_up] = self.error_units_m;
+        let across = self.across.into_iter().flatten().zip([unit_x, unit_y]);
+        let errors = across.chain(self.up.map(|up| (up, unit_up))).filter(|_| !is_of_degrees);
+        let texts = self.sides.into_iter().flatten().chain([self.image]);
+        NumberColumns { read: self.place.into_iter().chain(self.height).collect(), errors: errors.collect(), texts: texts.collect() }
     }
 
     /// The columns of some rows that are not read. `head`: the line of names, where there is one.
     pub fn unread(&self, rows: &[NumberedRecord], head: Option<&StringRecord>) -> UnreadColumns {
-        let read = self.place.into_iter().chain([self.image]).chain(self.height).chain(self.across.into_iter().flatten()).chain(self.up);
+        let read = self
+            .place
+            .into_iter()
+            .chain([self.image])
+            .chain(self.height)
+            .chain(self.sides.into_iter().flatten())
+            .chain(self.across.into_iter().flatten())
+            .chain(self.up);
         let meanings = head.map(meanings).unwrap_or_default();
         let twin = |column: usize| match meanings.get(column).copied().flatten()? {
             Column::X => Some(self.place[0]),
@@ -130,4 +164,40 @@ impl PositionColumns {
 fn image_column(head: &StringRecord) -> Option<usize> {
     let plain: Vec<String> = head.iter().map(|name| letters(&without_unit(name, &[]).0)).collect();
     IMAGES.split(' ').chain(FURTHER.split(' ')).find_map(|name| plain.iter().position(|column| column == name))
+}
+
+/// The column of the side of a coordinate, where a line names one: `GPSLatitudeRef`, `Latitude hemisphere` or `N/S`.
+fn side_column(head: &StringRecord, axis: Axis) -> Option<usize> {
+    let letters_of_sides = match axis {
+        Axis::Longitude => "e/w",
+        Axis::Latitude => "n/s",
+        Axis::Height => "",
+    };
+    let wanted = match axis {
+        Axis::Longitude => Column::X,
+        Axis::Latitude => Column::Y,
+        Axis::Height => Column::Z,
+    };
+    head.iter().position(|name| {
+        let is_of_axis =
+            |of: &str| coordinates_of(of) == Coordinates::Geographic && meaning_of(of).is_some_and(|(column, _)| column == wanted);
+        match side_of(name) {
+            // Other references of heights are surfaces.
+            Some(of) if axis == Axis::Height => of.ends_with("altitude"),
+            Some(of) => is_of_axis(&of),
+            None => name.trim().to_lowercase() == letters_of_sides,
+        }
+    })
+}
+
+/// The coordinate whose side a name says, in letters.
+fn side_of(name: &str) -> Option<String> {
+    let plain = letters(&without_unit(name, &[]).0);
+    ["ref", "hemisphere", "hem"].iter().find_map(|word| plain.strip_suffix(word).map(String::from))
+}
+
+/// Whether the side that a name says is that of this coordinate.
+fn is_side_of(name: &str, coordinate: &str) -> bool {
+    let plain = letters(&without_unit(coordinate, &["m"]).0);
+    side_of(name).is_some_and(|of| of.ends_with(&plain) || plain.ends_with(&of))
 }

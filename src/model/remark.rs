@@ -31,6 +31,8 @@ messages! {
         DoubledPositionColumns { columns: Vec<String> },
         /// Images that the table of image positions names and that are not in the block; whether it names no other ones.
         PositionsOfOtherImages { images: Vec<String>, all: bool },
+        /// Points of the table of control points that have no coordinates there.
+        PointsWithoutCoordinates { points: Vec<String> },
         /// Control and check points that no image measurement names.
         UnmeasuredPoints { points: Vec<String> },
         /// Points of image measurements that the table of control points does not have.

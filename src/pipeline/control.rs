@@ -4,7 +4,7 @@ use super::named_images::NamedImages;
 use super::system::{check_stated_units, looks_like_degrees, system_of, units_of, with_unit};
 use crate::crs::{CoordinateSystem, HeightZero};
 use crate::error::refuse;
-use crate::formats::{StatedUnit, UnreadColumns, stated_units, unread_columns};
+use crate::formats::{StatedUnit, UnreadColumns, points_without_coordinates, stated_units, unread_columns};
 use crate::{
     BlockDescription, ControlRole, Error, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
     ImageObservation, Input, KnownCamera, KnownImage, ObservedPosition, Refusal, parse_ground_control_points, parse_image_measurements,
@@ -24,6 +24,8 @@ pub struct ControlTables {
     marks: Vec<ImageMeasurementRow>,
     /// Columns of the points that are not read.
     pub(super) unread_columns: UnreadColumns,
+    /// Points of the table without any coordinate.
+    pub(super) without_coordinates: Vec<String>,
     /// Units that columns of coordinates have in their names.
     stated_units: Vec<StatedUnit>,
 }
@@ -35,7 +37,9 @@ impl ControlTables {
     /// As [`parse_ground_control_points`] and [`parse_image_measurements`].
     pub fn read(points: &str, marks: &str) -> Result<Self, Error> {
         let (unread_columns, stated_units) = (unread_columns(points)?, stated_units(points)?);
-        Ok(Self { points: parse_ground_control_points(points)?, marks: parse_image_measurements(marks)?, unread_columns, stated_units })
+        let without_coordinates = points_without_coordinates(points)?;
+        let (points, marks) = (parse_ground_control_points(points)?, parse_image_measurements(marks)?);
+        Ok(Self { points, marks, unread_columns, without_coordinates, stated_units })
     }
 
     /// Refuses, before the images are read, what a run of images with these names would refuse. Before there is a block, the images that the
@@ -125,9 +129,10 @@ impl ControlTables {
         self.used().map(|(point, _)| &point.name).filter(|name| !measured.contains(name.as_str())).cloned().collect()
     }
 
-    /// Points that image measurements name and the table does not have, ascending.
+    /// Points that image measurements name and the table does not have, not even without coordinates, ascending.
     pub(super) fn unknown_points(&self) -> Vec<String> {
-        let known: BTreeSet<&str> = self.points.iter().map(|point| point.name.as_str()).collect();
+        let without = self.without_coordinates.iter();
+        let known: BTreeSet<&str> = self.points.iter().map(|point| &point.name).chain(without).map(String::as_str).collect();
         let named: BTreeSet<&str> = self.marks.iter().map(|mark| mark.point.as_str()).collect();
         named.difference(&known).map(|name| (*name).to_string()).collect()
     }

@@ -3,6 +3,17 @@
 use crate::ImageMeasurementRow;
 use std::collections::BTreeMap;
 
+/// How a name means an image, the surest way first: of several rows of a table that mean the same one, the surest is of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Meant {
+    /// By its name, with its folder where that is said.
+    Name,
+    /// By its file name in another folder.
+    File,
+    /// By its name with another ending, or without one.
+    Stem,
+}
+
 /// The images of a block by what tables call them.
 pub(super) struct NamedImages<'a> {
     exact: BTreeMap<&'a str, usize>,
@@ -28,10 +39,28 @@ impl<'a> NamedImages<'a> {
     /// The image that a name means: the one of this name, else the only one of this file name, else the only one of this name without its ending,
     /// where the name has none or that of another format of images; none where there is none, or several.
     pub(super) fn find(&self, name: &str) -> Option<usize> {
+        self.found(name).map(|(image, _)| image)
+    }
+
+    /// The same, and how the name means it.
+    pub(super) fn found(&self, name: &str) -> Option<(usize, Meant)> {
         let file = file_of(name);
-        let found = self.exact.get(name).copied().or_else(|| self.by_file.get(&file).copied().flatten());
+        let by_file = || self.by_file.get(&file).copied().flatten();
         let by_stem = |stem: &str| self.by_stem.get(stem).copied().flatten();
-        found.or_else(|| by_stem(&file)).or_else(|| by_stem(file.rsplit_once('.').filter(|(_, ending)| ENDINGS.contains(ending))?.0))
+        let exact = self.exact.get(name).copied().or_else(|| self.within(name)).or_else(|| by_file().filter(|_| !has_folder(name)));
+        let exact = exact.map(|image| (image, Meant::Name));
+        let in_folder = || by_file().map(|image| (image, Meant::File));
+        let of_ending = || by_stem(file.rsplit_once('.').filter(|(_, ending)| ENDINGS.contains(ending))?.0);
+        exact.or_else(in_folder).or_else(|| by_stem(&file).or_else(of_ending).map(|image| (image, Meant::Stem)))
+    }
+
+    /// The image whose name, with a folder of its own, a longer path ends with; or that of `./name`.
+    fn within(&self, name: &str) -> Option<usize> {
+        let path = name.replace('\\', "/");
+        let places = path.match_indices('/').map(|(place, _)| place + 1);
+        let bare = path.strip_prefix("./");
+        let ends = places.map(|place| &path[place..]).filter(|end| end.contains('/')).chain(bare);
+        ends.into_iter().find_map(|end| self.exact.get(end)).copied()
     }
 }
 
@@ -57,6 +86,10 @@ fn file_of(name: &str) -> String {
     name.rsplit(['/', '\\']).next().unwrap_or(name).to_lowercase()
 }
 
+fn has_folder(name: &str) -> bool {
+    name.trim_start_matches("./").contains(['/', '\\'])
+}
+
 fn stem_of(file: &str) -> &str {
     file.rsplit_once('.').map_or(file, |(stem, _)| stem)
 }
@@ -64,6 +97,25 @@ fn stem_of(file: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn folders_tell_images_of_one_file_name_apart() {
+        let names = ["100/DJI_1.JPG", "101/DJI_1.JPG", "DJI_2.JPG"].map(String::from);
+        let images = NamedImages::new(&names);
+        for (name, wanted) in [
+            ("./100/DJI_1.JPG", Some((0, Meant::Name))),
+            ("C:\\flight\\101\\DJI_1.JPG", Some((1, Meant::Name))),
+            ("./102/DJI_1.JPG", None),
+            ("DJI_1.JPG", None),
+            ("./DJI_2.JPG", Some((2, Meant::Name))),
+            ("dji_2.jpg", Some((2, Meant::Name))),
+            ("100/DJI_2.JPG", Some((2, Meant::File))),
+            ("./DJI_2.DNG", Some((2, Meant::Stem))),
+            ("DJI_2", Some((2, Meant::Stem))),
+        ] {
+            assert_eq!(images.found(name), wanted, "{name}");
+        }
+    }
 
     #[test]
     fn images_are_found_by_other_capitals_folders_and_without_endings_where_one_alone_is_meant() {

@@ -1,14 +1,19 @@
 //! GNSS positions of images from a table, in place of those that their files record.
 
-use super::named_images::NamedImages;
+use super::named_images::{Meant, NamedImages};
 use super::system::{check_stated_units, looks_like_degrees, system_of, units_of};
-use crate::crs::{CoordinateSystem, HeightZero};
+use crate::crs::{CoordinateSystem, Definition, HeightZero};
 use crate::error::refuse;
-use crate::formats::{PositionHead, UnreadColumns, position_head};
+use crate::formats::{PositionHead, SystemLine, UnreadColumns, position_head};
 use crate::text::shorten;
-use crate::{Error, ExifPosition, GeoreferencingOptions, ImagePositionRow, ImagePositions, Input, Refusal, Remark, parse_image_positions};
+use crate::{
+    Error, ExifPosition, GeoreferencingOptions, ImagePositionRow, ImagePositions, ImpossiblePosition, Input, Refusal, Remark,
+    parse_image_positions,
+};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+
+/// Longitudes and latitudes of GNSS.
+const WGS_84: &str = "EPSG:4326";
 
 /// The GNSS position of an image that a table gives.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -47,10 +52,11 @@ impl PositionTable {
     }
 
     /// The position of each of the images with these names, where the table has one; refuses, before they are read, what a run of them would refuse. Heights
-    /// above a geoid of a file only the run converts.
+    /// above a geoid of a file only the run converts. Of rows of `a.DNG` and `a.JPG` the latter is that of the image `a.JPG`; what a table has of other images,
+    /// as one of a whole folder does, is not looked at.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] for an image twice, for coordinates that are no longitude and latitude without a coordinate reference system or outside it,
+    /// [`Error::InvalidInput`] for one of these images twice, for coordinates that are no longitude and latitude without a coordinate reference system or outside it,
     /// and for columns in another unit than that.
     pub fn positions(&self, images: &[String], placing: &GeoreferencingOptions) -> Result<Vec<Option<GivenPosition>>, Error> {
         self.of_images(images, placing, &placing.geoid_m.into())
@@ -63,40 +69,65 @@ impl PositionTable {
         placing: &GeoreferencingOptions,
         zero: &HeightZero,
     ) -> Result<Vec<Option<GivenPosition>>, Error> {
+        self.check_own_system(placing)?;
         let units = if self.positions.is_geographic { (None, 1.0) } else { units_of(placing)? };
         check_stated_units(Input::PositionTable, &self.head.stated_units, units)?;
-        let system = self.system(placing, zero)?;
-        let named = NamedImages::new(images);
-        let (mut given, mut names) = (vec![None; images.len()], BTreeSet::new());
-        for row in &self.positions.rows {
-            let image = named.find(&row.image);
-            // An image that is not in the block may not stand there twice either.
-            let is_again = !names.insert(row.image.as_str()) || image.is_some_and(|image| given[image].is_some());
-            if is_again {
-                return refuse(Refusal::PositionAgain { image: shorten(&row.image), line: row.line });
-            }
-            let position = self.position(row, system.as_ref())?;
-            if let Some(image) = image {
-                given[image] = Some(position);
-            }
-        }
-        Ok(given)
+        let rows = self.rows_of(images)?;
+        let system = self.system(&rows, placing, zero)?;
+        rows.iter().map(|row| row.map(|row| self.position(row, system.as_ref())).transpose()).collect()
     }
 
-    /// The system of its coordinates; absent for longitudes and latitudes.
-    fn system(&self, placing: &GeoreferencingOptions, zero: &HeightZero) -> Result<Option<CoordinateSystem>, Error> {
-        let ImagePositions { is_geographic, rows } = &self.positions;
-        let Some(first) = rows.first().filter(|_| !is_geographic) else { return Ok(None) };
+    /// Refuses a coordinate system that the table names for itself where it is not that of the block, or of WGS 84 for degrees.
+    fn check_own_system(&self, placing: &GeoreferencingOptions) -> Result<(), Error> {
+        let Some(SystemLine { crs, words, line }) = &self.head.system else { return Ok(()) };
+        let (own, block) = (Definition::read(crs)?, placing.definition()?);
+        let wanted = if self.positions.is_geographic { Some(Definition::read(WGS_84)?) } else { block.clone() };
+        match wanted.is_some_and(|wanted| own.has_plane_of(&wanted)) {
+            true => Ok(()),
+            false => refuse(Refusal::PositionSystem { words: words.clone(), line: *line, crs: block.map(|block| block.name()) }),
+        }
+    }
+
+    /// The row of each image.
+    fn rows_of(&self, images: &[String]) -> Result<Vec<Option<&ImagePositionRow>>, Error> {
+        let named = NamedImages::new(images);
+        let mut rows: Vec<Option<(&ImagePositionRow, Meant)>> = vec![None; images.len()];
+        let mut again: Vec<Option<&ImagePositionRow>> = vec![None; images.len()];
+        for row in &self.positions.rows {
+            let Some((image, meant)) = named.found(&row.image) else { continue };
+            match rows[image] {
+                Some((_, before)) if before < meant => {}
+                Some((_, before)) if before == meant => again[image] = again[image].or(Some(row)),
+                _ => (rows[image], again[image]) = (Some((row, meant)), None),
+            }
+        }
+        if let Some(row) = again.into_iter().flatten().min_by_key(|row| row.line) {
+            return refuse(Refusal::PositionAgain { image: shorten(&row.image), line: row.line });
+        }
+        Ok(rows.into_iter().map(|row| row.map(|(row, _)| row)).collect())
+    }
+
+    /// The system of its coordinates, which those of the images are in; absent for longitudes and latitudes.
+    fn system(
+        &self,
+        rows: &[Option<&ImagePositionRow>],
+        placing: &GeoreferencingOptions,
+        zero: &HeightZero,
+    ) -> Result<Option<CoordinateSystem>, Error> {
+        let mut own: Vec<&ImagePositionRow> = rows.iter().flatten().copied().collect();
+        own.sort_by_key(|row| row.line);
+        let rows = if own.is_empty() { self.positions.rows.iter().collect() } else { own };
+        let Some(first) = rows.first().copied().filter(|_| !self.positions.is_geographic) else { return Ok(None) };
         let ([x, y], line) = (first.place, first.line);
         let Some(definition) = placing.definition()? else { return refuse(Refusal::PositionWithoutCrs { x, y, line }) };
         if !definition.is_geographic() && rows.iter().all(|row| looks_like_degrees(row.place)) {
             return refuse(Refusal::PositionPlace { x, y, line, crs: definition.name(), degrees: true });
         }
         let plane: Vec<[f64; 2]> = rows.iter().map(|row| row.place).collect();
-        let outside = |row: &&ImagePositionRow| CoordinateSystem::about(definition.clone(), HeightZero::Unknown, row.place).is_err();
+        let outside = |row: &&&ImagePositionRow| CoordinateSystem::about(definition.clone(), HeightZero::Unknown, row.place).is_err();
         system_of(placing, zero, &plane, &[]).map_err(|error| match &error {
             Error::InvalidInput { refusal: Refusal::CrsPlace { .. } } => {
-                let ImagePositionRow { place: [x, y], line, .. } = rows.iter().find(outside).unwrap_or(first);
+                let ImagePositionRow { place: [x, y], line, .. } = rows.iter().find(outside).copied().unwrap_or(first);
                 Refusal::PositionPlace { x: *x, y: *y, line: *line, crs: definition.name(), degrees: false }.into_error()
             }
             _ => error,
@@ -122,12 +153,18 @@ impl PositionTable {
         let UnreadColumns { unknown, doubled } = self.head.unread.clone();
         let named = NamedImages::new(images);
         let rows = &self.positions.rows;
-        let others: Vec<String> = rows.iter().filter(|row| named.find(&row.image).is_none()).map(|row| row.image.clone()).collect();
-        let all = others.len() == rows.len();
+        // A row that means an image less surely than another one is of a file beside it.
+        let own: Vec<usize> = self.rows_of(images).unwrap_or_default().into_iter().flatten().map(|row| row.line).collect();
+        let others: Vec<String> = rows.iter().filter(|row| !own.contains(&row.line)).map(|row| row.image.clone()).collect();
+        let nowhere = self.head.nowhere.iter().filter_map(|name| named.find(name)).map(|image| images[image].clone());
+        let nowhere: Vec<ImpossiblePosition> =
+            nowhere.map(|name| ImpossiblePosition { name, value: crate::camera::NOWHERE.into() }).collect();
+        let all = others.len() == rows.len() && nowhere.is_empty();
         let remarks = [
             (!unknown.is_empty()).then_some(Remark::UnknownPositionColumns { columns: unknown }),
             (!doubled.is_empty()).then_some(Remark::DoubledPositionColumns { columns: doubled }),
             (!others.is_empty()).then_some(Remark::PositionsOfOtherImages { images: others, all }),
+            (!nowhere.is_empty()).then_some(Remark::ImpossiblePositions { images: nowhere }),
         ];
         remarks.into_iter().flatten().collect()
     }
@@ -194,11 +231,67 @@ mod tests {
                 "image positions: got the column 'easting (ft)' in ft",
             ),
             ("image,lon,lat,height (ft)\nIMG_1,8,50,300\n", "", "'height (ft)' in ft; allowed: coordinates in m"),
-            ("image,lon,lat\nIMG_1.JPG,8,50\nimg_1,8,50\n", "", "'img_1' again in line 3"),
-            ("image,lon,lat\nother,8,50\nother,8,50\n", "", "'other' again in line 3"),
+            ("image,lon,lat\nIMG_1.JPG,8,50\nimg_1.jpg,8,50\n", "", "'img_1.jpg' again in line 3"),
+            ("image,lon,lat\nimg_1,8,50\nother,8,50\nimg_1.DNG,8,50\n", "", "'img_1.DNG' again in line 4"),
+            ("image,lon,lat\n1/IMG_1.JPG,8,50\n2/IMG_1.JPG,8,50\n", "", "'2/IMG_1.JPG' again in line 3"),
         ] {
             let told = refused(text, crs);
             assert!(told.contains(named), "{text}: {told}");
         }
+    }
+
+    #[test]
+    fn rows_of_files_beside_the_images_do_not_matter() {
+        let of = |text: &str| {
+            let table = PositionTable::read(text).unwrap();
+            let given = table.positions(&images(), &placing("EPSG:25832")).unwrap();
+            (given.into_iter().map(|given| given.map(|given| given.position.longitude_deg)).collect::<Vec<_>>(), table.remarks(&images()))
+        };
+        let others =
+            |names: &[&str]| Remark::PositionsOfOtherImages { images: names.iter().map(ToString::to_string).collect(), all: false };
+        let raw = "SourceFile,lat,lon\n./IMG_1.DNG,50,8.1\n./IMG_1.JPG,50,8.2\nIMG_2.dng,50,8.3\n";
+        assert_eq!(of(raw), (vec![Some(8.2), Some(8.3), None], vec![others(&["./IMG_1.DNG"])]));
+        let again = "image,lat,lon\nout.jpg,50,8\nIMG_1.JPG,50,8.2\nout.jpg,50,8\n";
+        assert_eq!(of(again), (vec![Some(8.2), None, None], vec![others(&["out.jpg", "out.jpg"])]));
+        let far = "image,easting,northing\nout.jpg,9e9,9e9\nIMG_1.JPG,446833.2,5594521.7\n";
+        assert!(of(far).0[0].is_some_and(|longitude_deg| (longitude_deg - 8.25).abs() < 0.01));
+        let both = "FileName,SourceFile,lat,lon\nIMG_1.JPG,x/IMG_2.JPG,50,8.2\n";
+        assert_eq!(of(both).0, [None, Some(8.2), None]);
+    }
+
+    #[test]
+    fn positions_of_opendronemap_are_read_in_the_system_that_they_name() {
+        let utm = "WGS84 UTM 32N\nIMG_1.JPG 446833.2 5594521.7 171.5 0.1 0.2 0.3 0.02 0.03\n";
+        for text in
+            [utm.to_string(), utm.replace("WGS84 UTM 32N", "EPSG:32632"), utm.replace(' ', "\t").replace("WGS84\tUTM\t", "WGS84 UTM ")]
+        {
+            let table = PositionTable::read(&text).unwrap();
+            let given = table.positions(&images(), &placing("EPSG:32632")).unwrap()[0].unwrap();
+            assert!((given.position.longitude_deg - 8.25).abs() < 0.01 && given.standard_errors_m == [Some(0.02), Some(0.03)], "{text}");
+        }
+        let degrees = PositionTable::read("EPSG:4326\nIMG_1.JPG 8.25 50.5 171.5\n").unwrap();
+        let given = degrees.positions(&images(), &placing("EPSG:25832")).unwrap()[0].unwrap();
+        assert_eq!((given.position.longitude_deg, given.position.latitude_deg, given.in_crs), (8.25, 50.5, false));
+        for (text, crs, named) in [
+            (utm, "EPSG:25832", "'WGS84 UTM 32N' in line 1 beside ETRS89"),
+            (utm, "", "'WGS84 UTM 32N' in line 1 and no other; allowed: positions in the coordinate system of the block (--crs)"),
+            ("EPSG:32632\nIMG_1.JPG 8.25 50.5 171.5\n", "EPSG:32632", "'EPSG:32632' in line 1"),
+            ("EPSG:4314\nIMG_1.JPG 8.25 50.5 171.5\n", "", "or longitudes and latitudes of WGS 84"),
+        ] {
+            let told = refused(text, crs);
+            assert!(told.contains(named), "{text}: {told}");
+        }
+    }
+
+    #[test]
+    fn longitude_and_latitude_0_are_no_position_as_in_exif() {
+        let table = PositionTable::read("image,lat,lon,height\nIMG_1.JPG,0,0,0\nIMG_2.JPG,50,8,171\nout.jpg,0,0,0\n").unwrap();
+        let given = table.positions(&images(), &placing("")).unwrap();
+        assert_eq!(given.iter().map(Option::is_some).collect::<Vec<_>>(), [false, true, false]);
+        let nowhere = ImpossiblePosition { name: "IMG_1.JPG".into(), value: "longitude 0, latitude 0".into() };
+        assert_eq!(table.remarks(&images()), [Remark::ImpossiblePositions { images: vec![nowhere] }]);
+        // The origin of a system is a place.
+        let plane = PositionTable::read("image,easting,northing\nIMG_1.JPG,0,0\nIMG_2.JPG,1000,1000\n").unwrap();
+        assert!(plane.positions(&images(), &placing("+proj=tmerc +lat_0=50 +lon_0=8 +datum=WGS84")).unwrap()[0].is_some());
     }
 }

@@ -112,6 +112,8 @@ impl State {
             let UnreadColumns { unknown, doubled } = std::mem::take(&mut control.unread_columns);
             self.remarks.extend(Some(unknown).filter(|columns| !columns.is_empty()).map(|columns| Remark::UnknownColumns { columns }));
             self.remarks.extend(Some(doubled).filter(|columns| !columns.is_empty()).map(|columns| Remark::DoubledColumns { columns }));
+            let without = Some(control.without_coordinates.clone()).filter(|points| !points.is_empty());
+            self.remarks.extend(without.map(|points| Remark::PointsWithoutCoordinates { points }));
             self.remarks
                 .extend(Some(control.unmeasured()).filter(|points| !points.is_empty()).map(|points| Remark::UnmeasuredPoints { points }));
             self.remarks

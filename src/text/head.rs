@@ -1,8 +1,8 @@
 //! Which line names the columns of a table.
 
-use super::Records;
+use super::{Records, filled};
 use crate::error::refuse;
-use crate::{Error, Refusal};
+use crate::{Error, Input, Refusal};
 use csv::StringRecord;
 
 /// Lines among which the names are looked for: titles stand above them.
@@ -38,20 +38,23 @@ impl Records {
         let names_all = |record: &StringRecord| find(record).iter().all(Option::is_some);
         let above_values = self.rows.iter().take(LOOKED_AT).take_while(|(_, record)| self.numbers(record) < LEAST_NUMBERS);
         let own = above_values.enumerate().find(|(_, (_, record))| names_all(record)).map(|(row, (_, record))| (row + 1, record.clone()));
-        let has_values = self.rows.first().is_some_and(|(_, first)| self.numbers(first) >= LEAST_NUMBERS);
-        let width = self.rows.iter().map(|(_, record)| record.len()).max().unwrap_or(0);
+        let is_of_values = |record: &StringRecord| self.numbers(record) >= LEAST_NUMBERS;
+        // Other programs list images and points without coordinates first.
+        let has_values = self.rows.iter().any(|(_, record)| is_of_values(record));
+        let width = self.rows.iter().map(|(_, record)| filled(record)).max().unwrap_or(0);
         let comments: Vec<StringRecord> =
             self.above.iter().filter(|_| own.is_none() && has_values).map(|names| self.numbered(names, &find)).collect();
         let is_elsewhere = |names: &StringRecord| find(names).iter().enumerate().any(|(place, is)| is.is_some_and(|is| is != place));
-        // Fewer names than columns, in order, say no more than the order does.
-        let is_head = |names: &&StringRecord| names_all(names) && (names.len() >= width || is_elsewhere(names));
+        // Fewer names than columns, in order, say no more than the order does, unless that takes what stands behind for something.
+        let says_all = |names: &StringRecord| names.len() >= width || self.input == Input::PositionTable;
+        let is_head = |names: &&StringRecord| names_all(names) && (says_all(names) || is_elsewhere(names));
         let commented = comments.iter().find(is_head).map(|names| (0, names.clone()));
         let is_misplaced = |names: &&StringRecord| is_elsewhere(names) && find(names).iter().flatten().count() >= 2;
         let misplaced = comments.iter().find(is_misplaced).filter(|_| commented.is_none()).cloned();
         let Some((below, mut names)) = own.or(commented) else {
             let headed = Headed { names: None, rows: &self.rows, misplaced };
-            if has_values {
-                self.check_widths(headed.rows, self.rows.first().map_or(0, |(_, first)| first.len()), false)?;
+            if let Some((_, first)) = self.rows.first().filter(|(_, first)| is_of_values(first)) {
+                self.check_widths(headed.rows, first.len(), false)?;
             }
             return Ok(headed);
         };
@@ -86,13 +89,12 @@ impl Records {
     fn check_widths(&self, rows: &[(usize, StringRecord)], columns: usize, is_named: bool) -> Result<(), Error> {
         let input = self.input;
         for (line, record) in rows {
-            let fields = (0..record.len()).rev().find(|column| !record[*column].is_empty()).map_or(0, |last| last + 1);
             match self.separator {
                 b' ' if record.len() != columns => {
                     let record = self.shown(record);
                     return refuse(Refusal::BlankFields { input, record, line: *line, columns });
                 }
-                b',' if is_named && fields > columns => {
+                b',' if is_named && filled(record) > columns => {
                     let record = self.shown(record);
                     return refuse(Refusal::MoreFields { input, record, line: *line, columns });
                 }

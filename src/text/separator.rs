@@ -58,3 +58,18 @@ pub(super) fn is_clearly_decimal(field: &str) -> bool {
     let is_thousands = |whole: &str, fraction: &str| whole.len() <= 3 && fraction.len() == 3 && !whole.starts_with('0');
     is_decimal_comma(field) && unsigned.split_once(',').is_some_and(|(whole, fraction)| !is_thousands(whole, fraction))
 }
+
+/// A number with signs before thousands, as `446.833,25`, `446 833,25` or `2'600'000.12`.
+pub(super) fn has_thousands(field: &str) -> bool {
+    let unsigned = field.strip_prefix(['-', '+']).unwrap_or(field);
+    let is_figures = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+    let Some(sign) = unsigned.chars().find(|sign| !sign.is_ascii_digit()).filter(|sign| ".,'’ \u{a0}\u{202f}".contains(*sign)) else {
+        return false;
+    };
+    let mut groups: Vec<&str> = unsigned.split(sign).collect();
+    let last = groups.pop().unwrap_or("");
+    let last = last.split_once(['.', ',']).map_or(Some(last), |(whole, fraction)| Some(whole).filter(|_| is_figures(fraction)));
+    let first = groups.first().copied().unwrap_or("");
+    let are_threes = groups.iter().skip(1).copied().chain(last).all(|group| group.len() == 3 && is_figures(group));
+    last.is_some() && are_threes && first.len() <= 3 && is_figures(first)
+}

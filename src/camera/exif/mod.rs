@@ -89,6 +89,9 @@ fn metadata(file: &[u8]) -> (Option<Fields<&[u8]>>, Xmp) {
 /// Heights beyond so many metres are damaged fields.
 const MOST_HEIGHT_M: f64 = 1e5;
 
+/// What receivers without a fix write.
+pub(crate) const NOWHERE: &str = "longitude 0, latitude 0";
+
 /// The place, and what of it cannot be: an angle or a height out of range, or (0, 0), which receivers without a fix write. Absent where its
 /// hemisphere is not told.
 fn position<S: FileSource>(exif: &Fields<S>) -> (Option<ExifPosition>, Option<String>) {
@@ -102,7 +105,7 @@ fn position<S: FileSource>(exif: &Fields<S>) -> (Option<ExifPosition>, Option<St
         return (None, Some(format!("longitude {longitude_deg}")));
     }
     if longitude_deg == 0.0 && latitude_deg == 0.0 {
-        return (None, Some("longitude 0, latitude 0".into()));
+        return (None, Some(NOWHERE.into()));
     }
     // The reference 1 says below sea level.
     let sign = if exif.number(ALTITUDE_REF) == Some(1.0) { -1.0 } else { 1.0 };
