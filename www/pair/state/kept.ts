@@ -89,9 +89,20 @@ export function isBlank(state: State): boolean {
   );
 }
 
-/** Whether results of the user's own photographs are there, which should not be lost to the next pair. */
+/**
+ * Whether something is there that should not be lost to the next pair: matches of the user's own photographs, up to date or not, or what was done by hand to
+ * whatever images. Those of a project file are the user's own without their files, too.
+ */
 export function isWorthKeeping(state: State): boolean {
-  return SIDES.every((side) => state.images[side]?.source.kind === 'file') && isCurrent(state, 'match');
+  const areOwn = SIDES.every((side) => (state.images[side]?.source.kind ?? 'grey') !== 'grey');
+  // Until the images are open, what is matched may be those before them.
+  const isMatched = state.results.match !== undefined && isCurrent(state, 'openLeft') && isCurrent(state, 'openRight');
+  return (areOwn && isMatched) || isEdited(state) || SIDES.some((side) => state.masks[side] !== null);
+}
+
+/** Whether marks were measured in images of the user's own, or it is said where they lie in their scans: of a simulated pair they come again. */
+export function hasMarks({ images, photos, truth }: State): boolean {
+  return truth === null && SIDES.some((side) => images[side] !== null && hasData(photos[side]));
 }
 
 /** Whether something was measured or said of a photo. */
