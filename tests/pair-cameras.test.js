@@ -10,6 +10,7 @@ let page = {};
 
 before(async () => {
   page = await pageModules([
+    'pair/panel/camera',
     'pair/panel/orientation',
     'pair/state/cameras',
     'pair/state/interior',
@@ -104,4 +105,34 @@ test('what is assumed of a camera follows the files and the marks: of a cropped 
   assert.equal(after.doubt ?? null, null);
   assert.equal(after.left.uncertainty.principal_point, 0.01);
   assert.notEqual(page.keys.wantedKeys(marked).orientation, page.keys.wantedKeys(state).orientation);
+});
+
+/**
+ * A pair of which no camera is known, oriented with such a focal length in px of the left photo.
+ * @param {object | null} tells what the geometry of the two views has of it @param {number} focal @param {number} error
+ */
+function oriented(tells, focal, error) {
+  const state = pair([null, null], { matches: new Float64Array(), geometry: { ...FUNDAMENTAL, focal: tells }, no_geometry: null });
+  const own = focal === 0 ? page.interior.interiorInUse(state).focal_mm : focal * 0.001;
+  const camera = { focal_mm: own, focal_standard_error_mm: error * 0.001 };
+  const result = { key: page.keys.wantedKeys(state).orientation, milliseconds: 0, value: { cameras: [camera, camera] } };
+  return { ...state, results: { ...state.results, orientation: result } };
+}
+
+test('the focal length that is stated is that of the orientation, not what its search began with', () => {
+  const state = oriented({ focal_px: 1251, standard_error_px: 136 }, 1246.5, 24.9);
+  const text = page.orientation.estimatedFocalText(state);
+  assert.match(text, /estimated from the matches: 1,?247 ± 25 px\./u);
+  assert.doesNotMatch(text, /1,?251|136/u);
+  // Of other settings nothing is said.
+  assert.equal(page.orientation.estimatedFocalText({ ...state, settings: { ...state.settings, orientation: {} } }), null);
+});
+
+test('a focal length that the matches told is not said to be assumed, and one that they did not is', () => {
+  const told = oriented(null, 1378, 4);
+  assert.match(page.camera.sourceText(told), /No camera is known: the matches estimate one, focal length 1,?378 ± 4 px\./u);
+  assert.match(page.orientation.estimatedFocalText(told), /1,?378 ± 4 px/u);
+  const untold = oriented(null, 0, 480);
+  assert.match(page.camera.sourceText(untold), /that of most photographs is assumed, focal length 850 ± 480 px\./u);
+  assert.equal(page.orientation.estimatedFocalText(untold), null);
 });

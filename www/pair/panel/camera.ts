@@ -4,8 +4,9 @@ import type { CameraMm, ExifCamera } from '../../shared/crate';
 import { calibrationGroup } from './calibration';
 import { pairCameras } from '../state/cameras';
 import { comparesGradients, isCurrent } from '../state/keys';
+import { focalOf } from '../state/focal';
+import type { FocalLength } from '../state/focal';
 import { interiorInUse } from '../state/interior';
-import { pixelMm } from '../state/residuals';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
@@ -110,7 +111,8 @@ function exifText(name: string, exif: ExifCamera): string {
   });
 }
 
-function sourceText(state: State): string {
+/** Which camera is in use, and from where. */
+export function sourceText(state: State): string {
   const exif = (
     [
       ['left', state.results.openLeft],
@@ -121,24 +123,18 @@ function sourceText(state: State): string {
     .filter((text) => text !== '')
     .join(' ');
   const used = pairCameras(state);
-  const told = estimatedText(state);
+  const focal = focalOf(state);
+  const told = focalText(focal);
   if (state.camera !== null && 'missing' in used) return say('the-focal-length-is-not-used-yet', { exif });
   if (state.camera !== null) return say('in-use-the-values-below', { what: state.truth === null ? '' : say('they-came-with-the-sample'), told, exif });
   if (!('missing' in used)) return say('in-use-the-photos-own', { told, exif });
-  if (interiorInUse(state) !== null) {
-    return say('no-camera-is-known-that', { told, exif });
-  }
+  if (interiorInUse(state) !== null) return say('no-camera-is-known', { source: focal?.isEstimated === true ? 'estimated' : 'assumed', told, exif });
   return say('orientation-needs-a-focal-length', { exif });
 }
 
-/** What is known of a camera that is not known without error; nothing of one that other settings had. */
-function estimatedText(state: State): string {
-  if (!isCurrent(state, 'orientation')) return '';
-  const camera = state.results.orientation?.value.cameras?.[0];
-  const interior = interiorInUse(state)?.left;
-  if (camera == null || interior === undefined) return '';
-  const [focal, error] = [camera.focal_mm, camera.focal_standard_error_mm].map((v) => v / pixelMm(interior));
-  return say('focal-length-px', { focal: focal ?? NaN, error: error ?? NaN });
+/** What is known of a camera that is not known without error. */
+function focalText(focal: FocalLength | null): string {
+  return focal === null ? '' : say('focal-length-px', { focal: focal.focalPx, error: focal.errorPx });
 }
 
 /** The offset of the right image: estimated, or given. */

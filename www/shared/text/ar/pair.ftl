@@ -145,7 +145,10 @@ they-came-with-the-sample = {" "}(جاءت مع النموذج)
 in-use-the-values-below = المستعمل: القيم أدناه{ $what }{ $told }. { $exif }
 the-focal-length-is-not-used-yet = البعد البؤري غير مستعمل بعد: أعطِ حجم البكسل، أو العلامات الإطارية للصورتين. { $exif }
 in-use-the-photos-own = المستعمل: كاميرا الصور نفسها{ $told }. تحل القيم أدناه محلها. { $exif }
-no-camera-is-known-that = لا كاميرا معروفة: تُفترض كاميرا معظم الصور{ $told }. تحل القيم أدناه محلها. { $exif }
+no-camera-is-known = لا كاميرا معروفة: { $source ->
+        [estimated] تُقدَّر من المطابقات
+       *[assumed] تُفترض كاميرا معظم الصور
+    }{ $told }. تحل القيم أدناه محلها. { $exif }
 orientation-needs-a-focal-length = يحتاج التوجيه إلى بعد بؤري، وإلى حجم بكسل أو علامات إطارية. ومع مطابقات التدرجات يستغني عنها. { $exif }
 focal-length-px = ، البعد البؤري { FIXED($focal, digits: 0) } ± { FIXED($error, digits: 0) } بكسل
 offset-dx = الإزاحة dx

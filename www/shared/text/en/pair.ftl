@@ -171,7 +171,10 @@ they-came-with-the-sample = {" "}(they came with the sample)
 in-use-the-values-below = In use: the values below{ $what }{ $told }. { $exif }
 the-focal-length-is-not-used-yet = The focal length is not used yet: give the pixel size, or the fiducial marks of both images. { $exif }
 in-use-the-photos-own = In use: the photos' own camera{ $told }. Values below replace it. { $exif }
-no-camera-is-known-that = No camera is known: that of most photographs is assumed{ $told }. Values below replace it. { $exif }
+no-camera-is-known = No camera is known: { $source ->
+        [estimated] the matches estimate one
+       *[assumed] that of most photographs is assumed
+    }{ $told }. Values below replace it. { $exif }
 orientation-needs-a-focal-length = Orientation needs a focal length, and a pixel size or fiducial marks. With matches of gradients it does without. { $exif }
 focal-length-px = , focal length { FIXED($focal, digits: 0) } ± { FIXED($error, digits: 0) } px
 offset-dx = Offset dx
