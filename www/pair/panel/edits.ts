@@ -27,7 +27,7 @@ function several(edit: Sorting | null): string {
   return edit !== null && edit.of.length > 1 ? ` ${count(edit.of.length)}` : '';
 }
 
-/** In the panel of the matches. */
+/** In the panel of the matches. `follow` shows the points that are measured, where the keyboard then is. */
 export function mountEdits(host: HTMLElement, store: Store, editing: Editing, follow: () => void): void {
   const reject = button(say('reject'), 'reject', () => editing.edit('reject'), say('take-the-chosen-matches-out'));
   const restore = button(say('restore'), 'restore', () => editing.edit('restore'), say('use-the-chosen-matches-again'));
@@ -137,17 +137,21 @@ export function mountEditTools(host: HTMLElement, bar: HTMLElement, store: Store
 }
 
 /** Undo and redo by their keys, wherever the keyboard is but in a field that has an undo of its own; the others in the list of matches. */
-export function mountEditKeys(list: HTMLElement, store: Store, editing: Editing): void {
+export function mountEditKeys(list: HTMLElement, store: Store, editing: Editing, follow: () => void): void {
   undoKeys(
     // Where the pair is what is shown.
     () => byId('view').offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== 'mask' && !marksHaveKeys(store.state),
     (by) => editing.step(by),
   );
+  const move = () => {
+    editing.move();
+    follow();
+  };
   const keys: Command[] = [
     { keys: ['Delete', 'Backspace'], does: say('rejects-the-chosen-matches'), run: () => editing.edit('reject') },
     { keys: ['r'], does: say('restores-the-chosen-matches'), run: () => editing.edit('restore') },
     { keys: ['x'], does: say('chooses-the-selected-match-beside'), run: () => editing.choose(store.state.selection) },
-    { keys: ['e'], does: say('measures-the-selected-match-anew'), run: () => editing.move() },
+    { keys: ['e'], does: say('measures-the-selected-match-anew'), run: move },
     { keys: ['Escape'], does: say('gives-up'), run: () => void editing.leave() },
   ];
   listenKeys(list, declare({ where: say('list-of-matches'), host: list, list: keys }));
