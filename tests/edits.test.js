@@ -9,6 +9,7 @@ const MODULES = [
   'pair/engine/inspect',
   'pair/state/choice',
   'pair/state/codes',
+  'pair/state/compared',
   'pair/state/display',
   'pair/state/draft',
   'pair/state/edited',
@@ -346,6 +347,42 @@ test('a pair that is opened again has its edits again', () => {
   state = show(state, 'a.jpg', 'b.jpg');
   assert.equal(state.history, history);
   assert.equal(state.shelf.size, 0);
+});
+
+test('what an edit did is compared within one run: not with the orientation of other settings, and not waited for where none will come', () => {
+  const opens = opened();
+  const orient = (/** @type {any} */ state, /** @type {object} */ value) => {
+    const result = { key: page.keys.wantedKeys(state).orientation, value, milliseconds: 0 };
+    return page.reducer.reduce(state, { type: 'stageDone', stage: 'orientation', result });
+  };
+  const [whole, without, other] = [{ name: 'all' }, { name: 'without one' }, { name: 'by other settings' }];
+  const state = orient(opens, whole);
+  const of = page.edited.targetOfLeft(page.edited.editedPair(state), state.results.match.value.rules.indexOf(MATCHED));
+  const edited = page.reducer.reduce(state, { type: 'edit', edit: { kind: 'reject', of: [of] } });
+  assert.deepEqual(page.compared.comparedEdit(edited), { before: whole, now: null, comes: true });
+  const done = orient(edited, without);
+  assert.deepEqual(page.compared.comparedEdit(done), { before: whole, now: without, comes: false });
+  // One that fails does not come.
+  const failure = { key: page.keys.wantedKeys(edited).orientation, message: 'too few', ended: false, error: { kind: 'too_few' } };
+  const failed = page.reducer.reduce(edited, { type: 'stageFailed', stage: 'orientation', failure });
+  assert.deepEqual(page.compared.comparedEdit(failed), { before: whole, now: null, comes: false });
+  // Other settings of the orientation alone, and another matching.
+  const { settings } = done;
+  for (const wanted of [
+    { ...settings, orientation: { ...settings.orientation, base_mm: 12 } },
+    { ...settings, matching: { ...settings.matching, strategy: 'moments' } },
+  ]) {
+    const changed = page.reducer.reduce(done, { type: 'settings', settings: wanted });
+    assert.equal(page.compared.comparedEdit(changed), null);
+    assert.equal(page.compared.comparedEdit(orient(changed, other)), null);
+  }
+  // The next edit is compared with the orientation that the run has now.
+  const rerun = orient(
+    page.reducer.reduce(done, { type: 'settings', settings: { ...settings, orientation: { ...settings.orientation, base_mm: 12 } } }),
+    other,
+  );
+  const next = page.reducer.reduce(rerun, { type: 'goto', done: 0 });
+  assert.deepEqual(page.compared.comparedEdit(next), { before: other, now: null, comes: true });
 });
 
 /** What is said of where both points of a left point's match lie.  @param {any} state @param {number} left */

@@ -7,6 +7,7 @@ import { count, decimalsOfError, fixed } from '../../shared/text/format';
 import type { OrientedPair } from '../../shared/crate';
 import { chosenLefts, editOfChoice } from '../state/choice';
 import { moving } from '../state/draft';
+import { comparedEdit } from '../state/compared';
 import { editedPair } from '../state/edited';
 import { marksHaveKeys } from './marking';
 import type { Editing } from '../state/editing';
@@ -15,7 +16,6 @@ import { steps } from '../../shared/state/history';
 import { hasKeys, REDO_KEYS, set, showHistory, showSteps, UNDO_KEYS, undoKeys } from '../../shared/panel/history';
 import type { Sorting } from '../state/edits';
 import { interiorInUse } from '../state/interior';
-import { isCurrent } from '../state/keys';
 import { countsOf, pixelMm } from '../state/residuals';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -53,7 +53,7 @@ export function mountEdits(host: HTMLElement, store: Store, editing: Editing, fo
   panel.append(h('div', { class: 'buttons' }, reject, restore, move, undo, redo), hint, compared, details);
   host.append(panel);
   store.watch(
-    (s) => [s.results, s.history, s.chosen, s.selection, s.before, s.images] as const,
+    (s) => [s.results, s.history, s.chosen, s.selection, s.before, s.images, s.settings, s.camera, s.photos, s.failures] as const,
     () => {
       const { state } = store;
       panel.hidden = editedPair(state) === null;
@@ -82,9 +82,9 @@ const ANGLES = ['omega_deg', 'phi_deg', 'kappa_deg'] as const;
 
 /** The figures of the orientation before the latest edit and now. */
 function comparison(state: State): HTMLElement[] {
-  const { before, history } = state;
-  if (history.edits.length === 0 || before === null) return [];
-  const now = isCurrent(state, 'orientation') ? (state.results.orientation?.value ?? null) : null;
+  const compared = comparedEdit(state);
+  if (compared === null) return [];
+  const { before, now, comes } = compared;
   const interior = interiorInUse(state)?.left;
   const pixel = interior === undefined ? NaN : pixelMm(interior);
   const used = (of: OrientedPair) => count(countsOf(of).used);
@@ -97,7 +97,7 @@ function comparison(state: State): HTMLElement[] {
     row(
       name,
       h('td', { class: 'number', testid: `${testid}-before` }, text(before)),
-      h('td', { class: 'number', testid: `${testid}-now` }, now === null ? '…' : text(now)),
+      h('td', { class: 'number', testid: `${testid}-now` }, now === null ? (comes ? '…' : '–') : text(now)),
     );
   const head = h('tr', {}, h('th', { scope: 'col' }, say('orientation')), h('th', { scope: 'col' }, say('before')), h('th', { scope: 'col' }, say('now-2')));
   const angles = ANGLES.map((field) => {

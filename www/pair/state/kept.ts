@@ -4,7 +4,7 @@ import type { History } from '../../shared/state/history';
 import type { CameraMm, Flight, PairProject, Settings } from '../../shared/crate';
 import { isNothing, standingOf } from './edits';
 import type { Edit } from './edits';
-import { isCurrent, wantedKeys } from './keys';
+import { isCurrent, runKey, wantedKeys } from './keys';
 import { withResults } from './project';
 import type { Beside, Times } from './project';
 import { progress } from './select';
@@ -163,7 +163,9 @@ export function withKept(state: State, { typed, display, flight, paused, images,
   if (result === null) return { ...fresh, history };
   const made = withResults({ ...fresh, ...result.typed }, result.project, { ...result.beside, ...opened }, result.times);
   // What the edits do is compared with what was before all of them.
-  return { ...made, ...typed, history, before: history.done === 0 ? null : (made.results.orientation?.value ?? null) };
+  const { orientation } = made.results;
+  const before = history.done === 0 || orientation === undefined ? null : { run: runKey(made), orientation: orientation.value };
+  return { ...made, ...typed, history, before };
 }
 
 /** The same of both sides. */
