@@ -169,7 +169,16 @@ f-mm = { $message }, { $name ->
     }: { $what }, f = { $focal_mm } mm, { $pixel }.{ $cautions }
 they-came-with-the-sample = {" "}(they came with the sample)
 in-use-the-values-below = In use: the values below{ $what }{ $told }. { $exif }
-the-focal-length-is-not-used-yet = The focal length is not used yet: give the pixel size, or the fiducial marks of both images. { $exif }
+the-focal-length-is-not-used-yet = The focal length is not used yet: give the pixel size, the focal length in px, or the fiducial marks of both images. { $exif }
+focal-length-in-px-sets = { $what ->
+        [scans] With fiducial marks the focal length is in mm.
+        [pixel] The focal length in px sets the pixel size, by the focal length in mm.
+       *[focal] The focal length in px sets that in mm, by the pixel size; where there is none, of pixels of 0.001 mm. Focal length and pixel size in mm replace it.
+    }
+use-the-camera-for-both = Use the { $side ->
+        [left] left
+       *[right] right
+    } photo's camera for both
 in-use-the-photos-own = In use: the photos' own camera{ $told }. Values below replace it. { $exif }
 no-camera-is-known = No camera is known: { $source ->
         [estimated] the matches estimate one
