@@ -158,7 +158,7 @@ no-camera-is-known = لا كاميرا معروفة: { $source ->
         [estimated] تُقدَّر من المطابقات
        *[assumed] تُفترض كاميرا معظم الصور
     }{ $told }. تحل القيم أدناه محلها. { $exif }
-orientation-needs-a-focal-length = يحتاج التوجيه إلى بعد بؤري، وإلى حجم بكسل أو علامات إطارية. ومع مطابقات التدرجات يستغني عنها. { $exif }
+orientation-needs-a-focal-length = يحتاج التوجيه إلى بعد بؤري بالبكسل، أو بالمليمتر مع حجم بكسل أو علامات إطارية. ومع مطابقات التدرجات يستغني عنها. { $exif }
 focal-length-px = ، البعد البؤري { FIXED($focal, digits: 0) } ± { FIXED($error, digits: 0) } بكسل
 offset-dx = الإزاحة dx
 offset-dy = الإزاحة dy
@@ -406,7 +406,7 @@ two-images-are-needed = المطلوب صورتان.
 not-oriented-2 = لم يُوجَّه: { $message }.
 not-oriented-do-both-photos = لم يُوجَّه: { $message }. هل تُظهر الصورتان الأرض نفسها؟
 and-the-matches-do-not = ، والمطابقات لا تحدد البعد البؤري
-not-oriented-give-the-focal = لم يُوجَّه: { $message }{ $untold }. أعط البعد البؤري، وحجم البكسل أو العلامات الإطارية، في «الكاميرا».
+not-oriented-give-the-focal = لم يُوجَّه: { $message }{ $untold }. أعط البعد البؤري بالبكسل، أو بالمليمتر مع حجم البكسل أو العلامات الإطارية، في «الكاميرا».
 not-oriented-3 = لم يُوجَّه. { $message }
 value = القيمة
 the-right-photo-relative-to = الصورة اليمنى بالنسبة إلى اليسرى، توجيه نسبي تابع.

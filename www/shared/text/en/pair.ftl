@@ -184,7 +184,7 @@ no-camera-is-known = No camera is known: { $source ->
         [estimated] the matches estimate one
        *[assumed] that of most photographs is assumed
     }{ $told }. Values below replace it. { $exif }
-orientation-needs-a-focal-length = Orientation needs a focal length, and a pixel size or fiducial marks. With matches of gradients it does without. { $exif }
+orientation-needs-a-focal-length = Orientation needs a focal length in px, or in mm with a pixel size or fiducial marks. With matches of gradients it does without. { $exif }
 focal-length-px = , focal length { FIXED($focal, digits: 0) } ± { FIXED($error, digits: 0) } px
 offset-dx = Offset dx
 offset-dy = Offset dy
@@ -451,7 +451,7 @@ two-images-are-needed = Two images are needed.
 not-oriented-2 = Not oriented: { $message }.
 not-oriented-do-both-photos = Not oriented: { $message }. Do both photos show the same ground?
 and-the-matches-do-not = , and the matches do not determine the focal length
-not-oriented-give-the-focal = Not oriented: { $message }{ $untold }. Give the focal length, and the pixel size or fiducial marks, under “Camera”.
+not-oriented-give-the-focal = Not oriented: { $message }{ $untold }. Give the focal length in px, or in mm with the pixel size or fiducial marks, under “Camera”.
 not-oriented-3 = Not oriented. { $message }
 value = Value
 the-right-photo-relative-to = The right photo relative to the left one, dependent relative orientation.
