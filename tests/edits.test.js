@@ -6,16 +6,20 @@ import { defaults, match_pair, open_pair_project, orient_matches, Photo, simulat
 import { pageModules } from './www.js';
 
 const MODULES = [
+  'pair/engine/inspect',
   'pair/state/choice',
   'pair/state/codes',
+  'pair/state/compared',
   'pair/state/display',
   'pair/state/draft',
   'pair/state/edited',
   'pair/state/editing',
   'pair/state/edits',
+  'pair/state/keys',
   'pair/state/listed',
   'pair/state/project',
   'pair/state/reducer',
+  'pair/state/savable',
   'pair/state/select',
   'pair/state/state',
   'pair/state/statistics',
@@ -343,6 +347,90 @@ test('a pair that is opened again has its edits again', () => {
   state = show(state, 'a.jpg', 'b.jpg');
   assert.equal(state.history, history);
   assert.equal(state.shelf.size, 0);
+});
+
+test('what an edit did is compared within one run: not with the orientation of other settings, and not waited for where none will come', () => {
+  const opens = opened();
+  const orient = (/** @type {any} */ state, /** @type {object} */ value) => {
+    const result = { key: page.keys.wantedKeys(state).orientation, value, milliseconds: 0 };
+    return page.reducer.reduce(state, { type: 'stageDone', stage: 'orientation', result });
+  };
+  const [whole, without, other] = [{ name: 'all' }, { name: 'without one' }, { name: 'by other settings' }];
+  const state = orient(opens, whole);
+  const of = page.edited.targetOfLeft(page.edited.editedPair(state), state.results.match.value.rules.indexOf(MATCHED));
+  const edited = page.reducer.reduce(state, { type: 'edit', edit: { kind: 'reject', of: [of] } });
+  assert.deepEqual(page.compared.comparedEdit(edited), { before: whole, now: null, comes: true });
+  const done = orient(edited, without);
+  assert.deepEqual(page.compared.comparedEdit(done), { before: whole, now: without, comes: false });
+  // One that fails does not come.
+  const failure = { key: page.keys.wantedKeys(edited).orientation, message: 'too few', ended: false, error: { kind: 'too_few' } };
+  const failed = page.reducer.reduce(edited, { type: 'stageFailed', stage: 'orientation', failure });
+  assert.deepEqual(page.compared.comparedEdit(failed), { before: whole, now: null, comes: false });
+  // Other settings of the orientation alone, and another matching.
+  const { settings } = done;
+  for (const wanted of [
+    { ...settings, orientation: { ...settings.orientation, base_mm: 12 } },
+    { ...settings, matching: { ...settings.matching, strategy: 'moments' } },
+  ]) {
+    const changed = page.reducer.reduce(done, { type: 'settings', settings: wanted });
+    assert.equal(page.compared.comparedEdit(changed), null);
+    assert.equal(page.compared.comparedEdit(orient(changed, other)), null);
+  }
+  // The next edit is compared with the orientation that the run has now.
+  const rerun = orient(
+    page.reducer.reduce(done, { type: 'settings', settings: { ...settings, orientation: { ...settings.orientation, base_mm: 12 } } }),
+    other,
+  );
+  const next = page.reducer.reduce(rerun, { type: 'goto', done: 0 });
+  assert.deepEqual(page.compared.comparedEdit(next), { before: other, now: null, comes: true });
+});
+
+/** What is said of where both points of a left point's match lie.  @param {any} state @param {number} left */
+async function placesOf(state, left) {
+  const worker = { call: () => Promise.resolve(new Uint8Array()) };
+  const workers = { withImage: () => Promise.resolve(worker), client: () => worker };
+  const { features } = await page.inspect.inspection(page.reducer.reduce(state, { type: 'select', selection: { side: 'left', index: left } }), workers);
+  return [features.left.byHand, features.right.byHand];
+}
+
+test('of a match that was measured by hand it is not said that least squares placed it, and of one that was rejected by hand it is', async () => {
+  const state = opened();
+  const does = (/** @type {any} */ before, /** @type {any} */ edit) => page.reducer.reduce(before, { type: 'edit', edit });
+  const of = page.edited.targetOfLeft(page.edited.editedPair(state), state.results.match.value.rules.indexOf(MATCHED));
+  const found = state.results.match.value.rules.indexOf(MATCHED);
+  assert.deepEqual(await placesOf(state, found), [false, false]);
+  assert.deepEqual(await placesOf(does(state, { kind: 'reject', of: [of] }), found), [false, false]);
+  const moved = does(state, { kind: 'move', of, to: [of[0], of[1], of[2] + 0.5, of[3]] });
+  assert.deepEqual(await placesOf(moved, found), [true, true]);
+  assert.deepEqual(await placesOf(does(moved, { kind: 'reject', of: [of] }), found), [true, true]);
+  const added = does(state, { kind: 'add', id: 1, at: [100, 100, 90, 100] });
+  const last = page.edited.editedPair(added).match.rules.length - 1;
+  assert.deepEqual(await placesOf(added, last), [true, true]);
+  assert.deepEqual(await placesOf(does(added, { kind: 'reject', of: [1] }), last), [true, true]);
+});
+
+test('nothing that says matches or settings can be saved while a run goes on, nor JSON where it was cancelled', () => {
+  const opens = opened();
+  // What needs no image is computed then.
+  const stages = ['interiorLeft', 'interiorRight'];
+  const interior = { interior: page.project.projectOf(opens, { left: null, right: null }).output.interior, fiducials: null };
+  const state = stages.reduce((now, stage) => {
+    const key = page.keys.wantedKeys(now)[stage];
+    return page.reducer.reduce(now, { type: 'stageDone', stage, result: { key, value: interior, milliseconds: 0 } });
+  }, opens);
+  const all = { csv: true, json: true, project: true, report: false, epipolar: false, png: true };
+  assert.deepEqual(page.savable.savable(state), all);
+  const none = { csv: false, json: false, project: false, report: false, epipolar: false, png: true };
+  const wanted = page.reducer.reduce(state, {
+    type: 'camera',
+    camera: { focal_mm: 10, principal_point_mm: [0, 0], pixel_mm: 0.01, radial_distortion: [0, 0, 0] },
+  });
+  // Before its first stage starts the state is neither of the settings before nor of those now.
+  assert.equal(page.savable.savable(wanted).json, false);
+  const running = page.reducer.reduce(wanted, { type: 'stageStarted', stage: 'interiorLeft', key: 'k' });
+  assert.deepEqual(page.savable.savable(running), none);
+  const cancelled = page.reducer.reduce(running, { type: 'cancelled' });
+  assert.deepEqual(page.savable.savable(cancelled), { ...none, csv: true });
 });
 
 test('matched photographs stay in the list of projects when another one takes the place of one of them', async () => {

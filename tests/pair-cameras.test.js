@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
-import { resolved } from '../pkg/wasm/tiepoint.js';
+import { camera_of_focal_px, resolved } from '../pkg/wasm/tiepoint.js';
 import { pageModules } from './www.js';
 
 /** @type {Record<string, any>} */
@@ -10,8 +10,11 @@ let page = {};
 
 before(async () => {
   page = await pageModules([
+    'pair/engine/checks',
+    'pair/panel/camera',
     'pair/panel/orientation',
     'pair/state/cameras',
+    'pair/state/given-camera',
     'pair/state/interior',
     'pair/state/keys',
     'pair/state/no-orientation',
@@ -104,4 +107,74 @@ test('what is assumed of a camera follows the files and the marks: of a cropped 
   assert.equal(after.doubt ?? null, null);
   assert.equal(after.left.uncertainty.principal_point, 0.01);
   assert.notEqual(page.keys.wantedKeys(marked).orientation, page.keys.wantedKeys(state).orientation);
+});
+
+/**
+ * A pair of which no camera is known, oriented with such a focal length in px of the left photo.
+ * @param {object | null} tells what the geometry of the two views has of it @param {number} focal @param {number} error
+ */
+function oriented(tells, focal, error) {
+  const state = pair([null, null], { matches: new Float64Array(), geometry: { ...FUNDAMENTAL, focal: tells }, no_geometry: null });
+  const own = focal === 0 ? page.interior.interiorInUse(state).focal_mm : focal * 0.001;
+  const camera = { focal_mm: own, focal_standard_error_mm: error * 0.001 };
+  const result = { key: page.keys.wantedKeys(state).orientation, milliseconds: 0, value: { cameras: [camera, camera] } };
+  return { ...state, results: { ...state.results, orientation: result } };
+}
+
+test('the focal length that is stated is that of the orientation, not what its search began with', () => {
+  const state = oriented({ focal_px: 1251, standard_error_px: 136 }, 1246.5, 24.9);
+  const text = page.orientation.estimatedFocalText(state);
+  assert.match(text, /estimated from the matches: 1,?247 ± 25 px\./u);
+  assert.doesNotMatch(text, /1,?251|136/u);
+  // Of other settings nothing is said.
+  assert.equal(page.orientation.estimatedFocalText({ ...state, settings: { ...state.settings, orientation: {} } }), null);
+});
+
+test('a focal length that the matches told is not said to be assumed, and one that they did not is', () => {
+  const told = oriented(null, 1378, 4);
+  assert.match(page.camera.sourceText(told), /No camera is known: the matches estimate one, focal length 1,?378 ± 4 px\./u);
+  assert.match(page.orientation.estimatedFocalText(told), /1,?378 ± 4 px/u);
+  const untold = oriented(null, 0, 480);
+  assert.match(page.camera.sourceText(untold), /that of most photographs is assumed, focal length 850 ± 480 px\./u);
+  assert.equal(page.orientation.estimatedFocalText(untold), null);
+});
+
+test('a focal length in px needs no mm: it gives those by the pixel size, or the pixel size by them', () => {
+  const { focalPxOf, withFocalPx } = page.given_camera;
+  const alone = withFocalPx(null, 1250);
+  assert.deepEqual(alone, camera_of_focal_px(1250));
+  assert.equal(focalPxOf(alone), 1250);
+  const lens = { principal_point_mm: [0.1, 0], radial_distortion: [1e-4, 0, 0] };
+  assert.deepEqual(withFocalPx({ focal_mm: 4, pixel_mm: 0.005, ...lens }, 900), { focal_mm: 4.5, pixel_mm: 0.005, ...lens });
+  assert.deepEqual(withFocalPx({ focal_mm: 24, ...lens }, 4000), { focal_mm: 24, pixel_mm: 0.006, ...lens });
+  assert.equal(focalPxOf({ focal_mm: 24 }), null);
+  // What was typed is what is shown.
+  for (const px of [1234.5, 2759.48, 4000.1, 987.654321]) assert.equal(focalPxOf(withFocalPx({ focal_mm: 7.3, pixel_mm: 0.00245 }, px)), px);
+  const by = (/** @type {any} */ camera) => (/** @type {number} */ px) => withFocalPx(camera, px);
+  assert.equal(page.checks.allowedOfFocalPx(1250, by(null)), null);
+  assert.match(page.checks.allowedOfFocalPx(0, by({ focal_mm: 24 })), /^1 to 10.?000.?000$/u);
+  assert.match(page.checks.allowedOfFocalPx(10_000_000, by({ focal_mm: 4, pixel_mm: 0.05 })), /100.?000/u);
+});
+
+test('the camera that one photo of two alike names can be taken for both', () => {
+  const { cameraForBoth } = page.given_camera;
+  const state = pair([CAMERA, null]);
+  const [left, right] = [cameraForBoth(state), cameraForBoth(pair([null, CAMERA]))];
+  assert.deepEqual([left.side, right.side], ['left', 'right']);
+  assert.equal(left.camera.focal_mm, 4);
+  // It is as uncertain as that of the file.
+  assert.equal(left.camera.uncertainty.focal, page.cameras.pairCameras(pair([CAMERA, CAMERA])).left.uncertainty.focal);
+  const used = page.cameras.pairCameras({ ...state, camera: left.camera });
+  assert.equal(used.right.focal_mm, 4);
+  assert.equal(cameraForBoth({ ...state, camera: left.camera }), null);
+  for (const cameras of /** @type {[unknown, unknown][]} */ ([
+    [CAMERA, CAMERA],
+    [null, null],
+    [{ ...CAMERA, pixel_mm: null, origin: 'focal_length_alone' }, null],
+    [PANORAMA, null],
+  ]))
+    assert.equal(cameraForBoth(pair(cameras)), null);
+  const { openLeft, openRight } = state.results;
+  const larger = { ...openRight, value: { info: { ...openRight.value.info, width: 2000 } } };
+  assert.equal(cameraForBoth({ ...state, results: { openLeft, openRight: larger } }), null);
 });

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { block, status } from './blocks.js';
 import { coloured, shareOfOrange } from './colours.js';
-import { choose, done, enabled, hosted, number, open, pair, part, pngs, sample, says, SKIP, upload } from './page.js';
+import { choose, done, enabled, hosted, number, open, pair, part, pngs, sample, says, SKIP, until, upload } from './page.js';
 
 hosted('/answer/');
 
@@ -223,6 +223,23 @@ test('a pair without a camera asks for it, and the next step leads there', { ski
   await says(page, 'interior-left', /no pixel size is known/);
   await part(page, 'camera-pixel').fill('0.2542');
   await part(page, 'camera-pixel').press('Enter');
+  await says(page, 'camera-source', /^In use: the values below/);
+  await says(page, 'interior-left', /The pixel size is used/);
+  // In px it is the same focal length; another one in px gives another one in mm.
+  const value = (/** @type {string} */ id) => part(page, id).inputValue();
+  assert.ok(Math.abs(Number(await value('camera-focal-px')) - 153.38 / 0.2542) < 1e-6, await value('camera-focal-px'));
+  await part(page, 'camera-focal-px').fill('600');
+  await part(page, 'camera-focal-px').press('Enter');
+  await until(page, 'the focal length in mm follows', async () => (await value('camera-focal')) === '152.52');
+  await says(page, 'focal-px-note', /sets that in mm, by the pixel size/);
+  // Who knows no more than that gives no more.
+  await part(page, 'clear-camera').click();
+  assert.equal(await value('camera-focal-px'), '');
+  await part(page, 'camera-focal-px').fill('0');
+  await part(page, 'camera-focal-px').press('Enter');
+  await says(page, 'camera-focal-px-problem', /^Allowed: 1 to /i);
+  await part(page, 'camera-focal-px').fill('603.4');
+  await part(page, 'camera-focal-px').press('Enter');
   await says(page, 'camera-source', /^In use: the values below/);
   await says(page, 'interior-left', /The pixel size is used/);
   assert.deepEqual(complaints, []);

@@ -342,6 +342,48 @@ test('a match is measured by mouse: the second point is expected on the epipolar
   await close();
 });
 
+test('keys act before anything has the keyboard; a match of the list is moved by them, and from a button of the bar', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await pair(page);
+  const held = () => page.evaluate(() => document.activeElement?.getAttribute('data-testid') ?? document.activeElement?.tagName);
+  assert.equal(await held(), 'BODY');
+  await page.keyboard.press('n');
+  await says(page, 'selected', /^Left point \d/);
+  assert.equal(await held(), 'BODY');
+  // From the list.
+  await part(page, 'tab-matches').click();
+  await part(page, 'statistics-row').nth(1).click();
+  await enabled(page, 'move');
+  assert.notEqual(await held(), 'view');
+  await page.keyboard.press('e');
+  assert.equal(await held(), 'view');
+  const [, , x, y] = await drafted(page);
+  await page.keyboard.press('ArrowRight');
+  await draftedNear(page, [x + 0.1, y]);
+  await page.keyboard.press('Enter');
+  await says(page, 'undo', /^Undo: move 1 match$/);
+  // From a button over the pictures, which Enter would press.
+  await part(page, 'tool-undo').click();
+  await says(page, 'redo', /^Redo: move 1 match$/);
+  await part(page, 'tool-choose').click();
+  await part(page, 'tool-choose').click();
+  assert.equal(await held(), 'tool-choose');
+  await page.keyboard.press('e');
+  assert.equal(await held(), 'view');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Enter');
+  await says(page, 'undo', /^Undo: move 1 match$/);
+  assert.equal(await part(page, 'tool-choose').getAttribute('aria-pressed'), 'false');
+  // By its button in the panel, and a new one by that in the bar.
+  await part(page, 'move').click();
+  assert.equal(await held(), 'view');
+  await page.keyboard.press('Escape');
+  await part(page, 'tool-measure').click();
+  assert.equal(await held(), 'view');
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('a match is measured by the keyboard alone, survives a crash of the tab, and is rejected like any other', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await sample(page);

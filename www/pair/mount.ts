@@ -139,7 +139,14 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
   mountInput(view, store, navigator, { editing, masking, marking, paint });
   mountToolbar(byId('toolbar'), store, navigator);
   mountEditTools(byId('view-more'), byId('toolbar'), store, editing);
-  mountDraft(byId('toolbar'), store, editing, () => navigator.followDraft());
+  /** A match is measured in the pictures, wherever it was begun. */
+  const measured = () => {
+    if (store.state.tool !== 'measure') return;
+    uncoverPictures();
+    navigator.followDraft();
+    view.takeKeys();
+  };
+  mountDraft(byId('toolbar'), store, editing, () => navigator.followDraft(), measured);
   mountMasking(byId('view-more'), byId('toolbar'), store, masking, paint);
   mountMarking(byId('toolbar'), store, marking);
   await breath();
@@ -172,8 +179,8 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
   mountHistograms(results, store);
   await breath();
   mountPoint(point, store, (side, index) => navigator.select({ side, index }));
-  mountEdits(matches, store, editing, () => navigator.followDraft());
-  mountEditKeys(matches, store, editing);
+  mountEdits(matches, store, editing, measured);
+  mountEditKeys(matches, store, editing, measured);
   mountStatistics(matches, store, editing, (side, index) => navigator.select({ side, index }));
   await breath();
   mountSimulate(simulate, store, engine, (name, flight) => void attempt(() => files.takeFlight(name, flight)));

@@ -71,6 +71,7 @@ export {
   draw_vectors,
   message,
   one_image,
+  camera_of_focal_px,
   pair_cameras,
   project_kind,
   refused_kind,

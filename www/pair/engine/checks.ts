@@ -1,5 +1,5 @@
 /** What the crate takes of what is typed. The crate itself is asked, so that no range stands here a second time; none of this takes time. */
-import { check_flight, constant_offset, interior, parse_camera } from '../../../pkg/wasm/tiepoint.js';
+import { camera_of_focal_px, check_flight, constant_offset, interior, parse_camera } from '../../../pkg/wasm/tiepoint.js';
 import type { CameraMm, Flight } from '../../shared/crate';
 import { message, messageOf } from '../../shared/text/messages';
 
@@ -37,6 +37,11 @@ function allowedInstead(call: () => unknown): string | null {
 /** What of a camera is allowed; the rest of it is taken for granted. */
 export function allowedOfCamera(part: Partial<CameraMm>): string | null {
   return allowedInstead(() => parse_camera(JSON.stringify({ focal_mm: 1, ...part })));
+}
+
+/** `camera`: what the focal length in px would make of the camera. */
+export function allowedOfFocalPx(px: number, camera: (px: number) => CameraMm): string | null {
+  return allowedInstead(() => camera_of_focal_px(px)) ?? allowedOfCamera(camera(px));
 }
 
 export function allowedOfOffset(dx: number, dy: number): string | null {

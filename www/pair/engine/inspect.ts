@@ -1,7 +1,7 @@
 /** What is looked up about the selected point: what was compared, the candidates, where it may be seen in the other image. */
-import { BY_HAND } from '../state/codes';
 import { CELLS, DESCRIPTOR_BYTES } from '../state/descriptor';
-import { editedPair } from '../state/edited';
+import { editedPair, isMeasured } from '../state/edited';
+import { standingOf } from '../state/edits';
 import { knownInterior } from '../state/interior';
 import { comparesGradients, comparesGreyValues } from '../state/keys';
 import { readable } from '../../shared/text/names';
@@ -120,12 +120,13 @@ async function candidatesOf(workers: Workers, state: State, left: number): Promi
 
 /** Windows of moments or grey values; for gradients the features. */
 async function comparedOf(workers: Workers, state: State, left: number): Promise<Pick<Inspection, 'left' | 'right' | 'features'>> {
-  const { best, places, rules } = matchOf(state);
+  const { best, places } = matchOf(state);
   const { selection } = state;
   const right = selection?.side === 'right' ? selection.index : (best[left] ?? -1);
   if (comparesGradients(settingsOf(state))) {
     const [ofLeft, ofRight] = await Promise.all([featureAt(workers, state, 'left', left), featureAt(workers, state, 'right', right)]);
-    const byHand = rules[left] === BY_HAND;
+    const edited = editedPair(state);
+    const byHand = edited !== null && isMeasured(edited, standingOf(state.history.edits, state.history.done), left);
     const features = {
       left: ofLeft ?? (await placeAt(workers, state, 'left', pointAt(state, 'left', left), ofRight, byHand)),
       right: ofRight ?? (await placeAt(workers, state, 'right', placeOf(places, left), ofLeft, byHand)),

@@ -58,7 +58,7 @@ interface Made {
 export class KeptPairs implements Keepable {
   readonly mode = 'pair';
   private made: Made | null = null;
-  private making = false;
+  private making: Promise<void> | null = null;
   private readonly journal = new Journal();
   private timer: number | undefined;
   private changed: () => void = () => undefined;
@@ -138,24 +138,37 @@ export class KeptPairs implements Keepable {
     this.store.dispatch({ type: 'cleared' });
   }
 
+  /** What came of a project file may be nowhere else: it is written before another pair takes its place. */
+  async settled(): Promise<void> {
+    window.clearTimeout(this.timer);
+    await this.make();
+  }
+
+  private make(): Promise<void> {
+    this.making ??= this.makeAll().finally(() => {
+      this.making = null;
+    });
+    return this.making;
+  }
+
   /** Writes the results as a project file once they are all there; what is cancelled meanwhile is written after the next change. */
-  private async make(): Promise<void> {
-    const { state } = this.store;
-    if (this.making || !isWhole(state)) return;
-    const results = resultsOf(state);
-    const typed = typedOf(state);
-    if (typed === null || (this.made !== null && areSame(this.made.results, results))) return;
-    this.making = true;
-    try {
-      // Edits have a journal of their own.
-      const project = await projectText(unedited(state), this.engine);
-      if (project !== null) this.made = { results, kept: { project, typed, of: filesOf(state), ...besideOf(state) } };
-    } catch {
-      // The worker was ended. What is kept of the earlier results stays.
+  private async makeAll(): Promise<void> {
+    for (;;) {
+      const { state } = this.store;
+      const typed = typedOf(state);
+      if (typed === null || !isWhole(state)) return;
+      const results = resultsOf(state);
+      if (this.made !== null && areSame(this.made.results, results)) return;
+      try {
+        // Edits have a journal of their own.
+        const project = await projectText(unedited(state), this.engine);
+        if (project !== null) this.made = { results, kept: { project, typed, of: filesOf(state), ...besideOf(state) } };
+      } catch {
+        // The worker was ended. What is kept of the earlier results stays.
+      }
+      this.changed();
+      if (this.store.state === state) return;
     }
-    this.making = false;
-    this.changed();
-    if (this.store.state !== state) void this.make();
   }
 
   /** `standing`: in place of masks whose files are not there. */

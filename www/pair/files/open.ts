@@ -4,7 +4,7 @@ import type { Engine } from '../engine/engine';
 import type { Flight } from '../../shared/crate';
 import { sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
-import { hasData, isWorthKeeping } from '../state/kept';
+import { hasData, hasMarks, isWorthKeeping } from '../state/kept';
 import { editsOfFile } from '../state/project';
 import type { OpenedProject } from '../state/project';
 import { calibrationBehind } from '../../shared/state/calibrations';
@@ -153,7 +153,7 @@ export class Files {
     this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: say('reading', { name: file.name }) } });
     try {
       const opened = await readProject(this.engine, file, freshId);
-      const aside = await this.leave();
+      const aside = await this.leave(hasMarks(this.store.state));
       this.store.dispatch({ type: 'opened', opened });
       this.tell([info(say('was-opened-the-file-does-not', { name: file.name })), editsToldOf(opened), aside]);
     } catch (error) {
@@ -191,7 +191,7 @@ export class Files {
     try {
       const pair = await this.engine.client('pair').call('simulate', flight);
       const given = (side: Side): GivenImage => ({ id: freshId(), name: `${name} ${side}`, source: { kind: 'grey', ...pair[side] } });
-      const aside = await this.leave();
+      const aside = await this.leave(hasMarks(this.store.state));
       this.store.dispatch({ type: 'simulated', left: given('left'), right: given('right'), pair });
       this.tell([aside]);
     } catch (error) {
@@ -362,9 +362,11 @@ export class Files {
   /** Shows images that were decoded. */
   private async show(images: Partial<Record<Side, GivenImage>>): Promise<Told[]> {
     // A single one takes the mask of the one before it away, and the edits of their matches.
-    const { photos } = this.store.state;
+    const { photos, images: former } = this.store.state;
     const marked = await this.marked(images);
-    const aside = await this.leave(marked.gone.length > 0);
+    // Beside an image that is alone nothing is lost.
+    const replaces = SIDES.some((side) => images[side] !== undefined && former[side] !== null);
+    const aside = replaces ? await this.leave(marked.gone.length > 0) : null;
     this.store.dispatch({ type: 'images', images, same: marked.same });
     return [aside, ...marked.gone.map((side) => info(say('marks-went-with-the-image', { side, marks: photos[side].fiducials.length })))];
   }
@@ -381,9 +383,9 @@ export class Files {
     return a === null || b === undefined ? Promise.resolve(false) : haveSameContent(a.source, b.source, this.engine);
   }
 
-  /** Before another pair takes the place of photographs that were matched: they stay in the list of projects. `always`: others too. */
-  private async leave(always = false): Promise<Told> {
-    if (!always && !isWorthKeeping(this.store.state)) return null;
+  /** Before another pair takes the place of one that is worth keeping: it stays in the list of projects. `marksGo`: so do images whose marks go with them. */
+  private async leave(marksGo: boolean): Promise<Told> {
+    if (!marksGo && !isWorthKeeping(this.store.state)) return null;
     const names = SIDES.flatMap((side) => this.store.state.images[side]?.name ?? []);
     return (await this.putAside()) ? info(say('stay-under-projects', { title_of: titleOf({ name: null, images: names }) })) : null;
   }

@@ -1,11 +1,15 @@
 /** The camera: typed, loaded, or from EXIF; and the offset between the images. */
-import { allowedOfCamera, allowedOfOffset } from '../engine/checks';
+import { allowedOfCamera, allowedOfFocalPx, allowedOfOffset } from '../engine/checks';
 import type { CameraMm, ExifCamera } from '../../shared/crate';
 import { calibrationGroup } from './calibration';
 import { pairCameras } from '../state/cameras';
 import { comparesGradients, isCurrent } from '../state/keys';
+import { focalOf } from '../state/focal';
+import type { FocalLength } from '../state/focal';
+import { cameraForBoth, focalPxOf, withFocalPx } from '../state/given-camera';
 import { interiorInUse } from '../state/interior';
-import { pixelMm } from '../state/residuals';
+import { wholeMarks } from '../state/marks';
+import { SIDES } from '../state/state';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
@@ -44,6 +48,49 @@ export function cameraOf(numbers: readonly (number | undefined)[], last: CameraM
   return { focal_mm: focal, principal_point_mm: [x0, y0], ...(pixel === undefined ? {} : { pixel_mm: pixel }), ...lens, ...uncertain };
 }
 
+/** The focal length in px: another way to say what stands in mm, with what it changes. */
+function focalPxField(store: Store): { element: HTMLElement; note: HTMLElement } {
+  const label = say('focal-length');
+  const change = () => {
+    const last = store.state.camera;
+    const before = (last === null ? null : focalPxOf(last)) ?? undefined;
+    const px = readNumber(field, (value) => allowedOfFocalPx(value, (given) => withFocalPx(last, given)), before);
+    if (px !== before) store.dispatch({ type: 'camera', camera: px === undefined ? null : withFocalPx(last, px) });
+    store.dispatch({ type: 'refused', part: 'camera', label: firstRefused([[label, field.input]]) });
+  };
+  const field = numberField(label, 'px', 'camera-focal-px', change);
+  const note = h('p', { class: 'note', id: 'focal-px-note', testid: 'focal-px-note' });
+  field.input.setAttribute('aria-describedby', `${field.problem.id} ${note.id}`);
+  store.watch(
+    (s) => [s.camera, SIDES.some((side) => wholeMarks(s.photos[side]).length > 0)] as const,
+    ([camera, areScans]) => {
+      showNumber(field, camera === null ? null : focalPxOf(camera));
+      // Their photo coordinates are in mm: fiducial marks say how large a pixel is.
+      field.input.disabled = areScans;
+      note.textContent = say('focal-length-in-px-sets', { what: areScans ? 'scans' : camera !== null && camera.pixel_mm == null ? 'pixel' : 'focal' });
+    },
+  );
+  return { element: field.element, note };
+}
+
+/** What takes the camera that the file of one photo names for the other one too. */
+function sharedCamera(store: Store): HTMLElement {
+  const use = button('', 'camera-for-both', () => {
+    const shared = cameraForBoth(store.state);
+    if (shared !== null) store.dispatch({ type: 'camera', camera: shared.camera });
+  });
+  const group = h('div', { class: 'buttons' }, use);
+  store.watch(
+    (s) => [s.camera, s.photos, s.results.openLeft, s.results.openRight],
+    () => {
+      const shared = cameraForBoth(store.state);
+      group.hidden = shared === null;
+      if (shared !== null) use.textContent = say('use-the-camera-for-both', { side: shared.side });
+    },
+  );
+  return group;
+}
+
 /** The stages whose results the text about the camera tells. */
 const IN_TEXT = ['openLeft', 'openRight', 'interiorLeft', 'interiorRight', 'match', 'orientation'] as const;
 
@@ -65,6 +112,7 @@ export function mountCamera(host: HTMLElement, store: Store, loadFile: () => voi
     store.dispatch({ type: 'refused', part: 'camera', label: firstRefused(fields.map(({ input }, i) => [NUMBERS[i]?.label ?? '', input])) });
   };
   const fields = NUMBERS.map(({ label, unit, testid }) => numberField(label, unit, testid, change));
+  const inPixels = focalPxField(store);
   const source = h('p', { class: 'note', testid: 'camera-source' });
   const load = button(say('load-camera-json'), 'load-camera', loadFile);
   const clear = button(say('clear'), 'clear-camera', () => store.dispatch({ type: 'camera', camera: null }));
@@ -75,7 +123,9 @@ export function mountCamera(host: HTMLElement, store: Store, loadFile: () => voi
       h('legend', {}, say('camera')),
       source,
       calibrationGroup(store),
-      h('div', { class: 'pairs' }, ...fields.map(({ element }) => element)),
+      sharedCamera(store),
+      h('div', { class: 'pairs' }, inPixels.element, ...fields.map(({ element }) => element)),
+      inPixels.note,
       h('div', { class: 'buttons' }, load, clear),
     ),
     offsetGroup(store),
@@ -110,7 +160,8 @@ function exifText(name: string, exif: ExifCamera): string {
   });
 }
 
-function sourceText(state: State): string {
+/** Which camera is in use, and from where. */
+export function sourceText(state: State): string {
   const exif = (
     [
       ['left', state.results.openLeft],
@@ -121,24 +172,18 @@ function sourceText(state: State): string {
     .filter((text) => text !== '')
     .join(' ');
   const used = pairCameras(state);
-  const told = estimatedText(state);
+  const focal = focalOf(state);
+  const told = focalText(focal);
   if (state.camera !== null && 'missing' in used) return say('the-focal-length-is-not-used-yet', { exif });
   if (state.camera !== null) return say('in-use-the-values-below', { what: state.truth === null ? '' : say('they-came-with-the-sample'), told, exif });
   if (!('missing' in used)) return say('in-use-the-photos-own', { told, exif });
-  if (interiorInUse(state) !== null) {
-    return say('no-camera-is-known-that', { told, exif });
-  }
+  if (interiorInUse(state) !== null) return say('no-camera-is-known', { source: focal?.isEstimated === true ? 'estimated' : 'assumed', told, exif });
   return say('orientation-needs-a-focal-length', { exif });
 }
 
-/** What is known of a camera that is not known without error; nothing of one that other settings had. */
-function estimatedText(state: State): string {
-  if (!isCurrent(state, 'orientation')) return '';
-  const camera = state.results.orientation?.value.cameras?.[0];
-  const interior = interiorInUse(state)?.left;
-  if (camera == null || interior === undefined) return '';
-  const [focal, error] = [camera.focal_mm, camera.focal_standard_error_mm].map((v) => v / pixelMm(interior));
-  return say('focal-length-px', { focal: focal ?? NaN, error: error ?? NaN });
+/** What is known of a camera that is not known without error. */
+function focalText(focal: FocalLength | null): string {
+  return focal === null ? '' : say('focal-length-px', { focal: focal.focalPx, error: focal.errorPx });
 }
 
 /** The offset of the right image: estimated, or given. */

@@ -8,9 +8,17 @@ import type { Side, State } from '../state/state';
 import type { Store } from '../state/store';
 import { say } from '../../shared/text/words';
 
-/** In the bar above the pictures. `follow` shows the points that are measured. */
-export function mountDraft(host: HTMLElement, store: Store, editing: Editing, follow: () => void): void {
-  const tool = button(say('add-match'), 'tool-measure', () => editing.toggle('measure'), say('measure-a-match-by-hand'));
+/** In the bar above the pictures. `follow` shows the points that are measured; `begun` is called where a measurement was begun, or given up, by its button. */
+export function mountDraft(host: HTMLElement, store: Store, editing: Editing, follow: () => void, begun: () => void): void {
+  const tool = button(
+    say('add-match'),
+    'tool-measure',
+    () => {
+      editing.toggle('measure');
+      begun();
+    },
+    say('measure-a-match-by-hand'),
+  );
   const text = h('span', { testid: 'draft-text', role: 'status' });
   const accept = button(say('accept'), 'draft-accept', () => editing.accept(), say('the-match-is-measured-enter'));
   const fit = button(say('fit'), 'draft-fit', () => void editing.fit(), say('move-the-right-point-to'));

@@ -7,6 +7,7 @@ import { count, decimalsOfError, fixed } from '../../shared/text/format';
 import type { OrientedPair } from '../../shared/crate';
 import { chosenLefts, editOfChoice } from '../state/choice';
 import { moving } from '../state/draft';
+import { comparedEdit } from '../state/compared';
 import { editedPair } from '../state/edited';
 import { marksHaveKeys } from './marking';
 import type { Editing } from '../state/editing';
@@ -15,7 +16,6 @@ import { steps } from '../../shared/state/history';
 import { hasKeys, REDO_KEYS, set, showHistory, showSteps, UNDO_KEYS, undoKeys } from '../../shared/panel/history';
 import type { Sorting } from '../state/edits';
 import { interiorInUse } from '../state/interior';
-import { isCurrent } from '../state/keys';
 import { countsOf, pixelMm } from '../state/residuals';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -27,7 +27,7 @@ function several(edit: Sorting | null): string {
   return edit !== null && edit.of.length > 1 ? ` ${count(edit.of.length)}` : '';
 }
 
-/** In the panel of the matches. */
+/** In the panel of the matches. `follow` shows the points that are measured, where the keyboard then is. */
 export function mountEdits(host: HTMLElement, store: Store, editing: Editing, follow: () => void): void {
   const reject = button(say('reject'), 'reject', () => editing.edit('reject'), say('take-the-chosen-matches-out'));
   const restore = button(say('restore'), 'restore', () => editing.edit('restore'), say('use-the-chosen-matches-again'));
@@ -53,7 +53,7 @@ export function mountEdits(host: HTMLElement, store: Store, editing: Editing, fo
   panel.append(h('div', { class: 'buttons' }, reject, restore, move, undo, redo), hint, compared, details);
   host.append(panel);
   store.watch(
-    (s) => [s.results, s.history, s.chosen, s.selection, s.before, s.images] as const,
+    (s) => [s.results, s.history, s.chosen, s.selection, s.before, s.images, s.settings, s.camera, s.photos, s.failures] as const,
     () => {
       const { state } = store;
       panel.hidden = editedPair(state) === null;
@@ -82,9 +82,9 @@ const ANGLES = ['omega_deg', 'phi_deg', 'kappa_deg'] as const;
 
 /** The figures of the orientation before the latest edit and now. */
 function comparison(state: State): HTMLElement[] {
-  const { before, history } = state;
-  if (history.edits.length === 0 || before === null) return [];
-  const now = isCurrent(state, 'orientation') ? (state.results.orientation?.value ?? null) : null;
+  const compared = comparedEdit(state);
+  if (compared === null) return [];
+  const { before, now, comes } = compared;
   const interior = interiorInUse(state)?.left;
   const pixel = interior === undefined ? NaN : pixelMm(interior);
   const used = (of: OrientedPair) => count(countsOf(of).used);
@@ -97,7 +97,7 @@ function comparison(state: State): HTMLElement[] {
     row(
       name,
       h('td', { class: 'number', testid: `${testid}-before` }, text(before)),
-      h('td', { class: 'number', testid: `${testid}-now` }, now === null ? '…' : text(now)),
+      h('td', { class: 'number', testid: `${testid}-now` }, now === null ? (comes ? '…' : '–') : text(now)),
     );
   const head = h('tr', {}, h('th', { scope: 'col' }, say('orientation')), h('th', { scope: 'col' }, say('before')), h('th', { scope: 'col' }, say('now-2')));
   const angles = ANGLES.map((field) => {
@@ -137,17 +137,21 @@ export function mountEditTools(host: HTMLElement, bar: HTMLElement, store: Store
 }
 
 /** Undo and redo by their keys, wherever the keyboard is but in a field that has an undo of its own; the others in the list of matches. */
-export function mountEditKeys(list: HTMLElement, store: Store, editing: Editing): void {
+export function mountEditKeys(list: HTMLElement, store: Store, editing: Editing, follow: () => void): void {
   undoKeys(
     // Where the pair is what is shown.
     () => byId('view').offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== 'mask' && !marksHaveKeys(store.state),
     (by) => editing.step(by),
   );
+  const move = () => {
+    editing.move();
+    follow();
+  };
   const keys: Command[] = [
     { keys: ['Delete', 'Backspace'], does: say('rejects-the-chosen-matches'), run: () => editing.edit('reject') },
     { keys: ['r'], does: say('restores-the-chosen-matches'), run: () => editing.edit('restore') },
     { keys: ['x'], does: say('chooses-the-selected-match-beside'), run: () => editing.choose(store.state.selection) },
-    { keys: ['e'], does: say('measures-the-selected-match-anew'), run: () => editing.move() },
+    { keys: ['e'], does: say('measures-the-selected-match-anew'), run: move },
     { keys: ['Escape'], does: say('gives-up'), run: () => void editing.leave() },
   ];
   listenKeys(list, declare({ where: say('list-of-matches'), host: list, list: keys }));

@@ -7,13 +7,11 @@ import type { Files } from '../files/open';
 import { exportProject } from '../files/project';
 import { exportEpipolar } from '../files/epipolar';
 import { exportReport } from '../files/report';
-import { isCurrent } from '../state/keys';
-import { shownPair } from '../state/select';
+import { EXPORTS, savable } from '../state/savable';
 import type { Side } from '../state/state';
 import type { Store } from '../state/store';
 import { truthOf } from '../state/truth';
 import type { View } from '../view/view';
-import { isBusy } from './status';
 import { say } from '../../shared/text/words';
 
 /** Opens the file dialog for a side, or for any files; or for the mask of a side. */
@@ -60,6 +58,9 @@ export interface HeaderParts {
   sampleBlock: () => void;
 }
 
+/** What changes which results are wanted, before there are any. */
+const WANTED = ['settings', 'camera', 'photos', 'masks', 'fiducialModel', 'offset', 'failures', 'history'] as const;
+
 export function mountHeader({ store, engine, view, files, pick, attempt, saving, sampleBlock }: HeaderParts): void {
   const on = (id: string, action: () => void | Promise<void>) => {
     byId(id).addEventListener('click', () => void attempt(action));
@@ -78,8 +79,7 @@ export function mountHeader({ store, engine, view, files, pick, attempt, saving,
   onExport('export-report', () => exportReport(store, engine));
   onExport('export-epipolar', () => exportEpipolar(store, engine));
   onExport('export-png', () => exportPicture(store.state, view));
-  store.watch(['images', 'results', 'catalogue', 'notice', 'running'], ([images, , catalogue]) => {
-    const both = images.left !== null && images.right !== null;
+  store.watch(['images', 'results', 'catalogue', 'notice', 'running', ...WANTED], ([images, , catalogue]) => {
     const none = images.left === null && images.right === null;
     const set = (id: string, disabled: boolean) => {
       (byId(id) as HTMLButtonElement).disabled = disabled;
@@ -88,14 +88,8 @@ export function mountHeader({ store, engine, view, files, pick, attempt, saving,
     set('sample', catalogue === null);
     set('sample-first', catalogue === null);
     set('sample-block-first', catalogue === null);
-    set('export-csv', !both || shownPair(store.state).match === null);
-    set('export-json', !both || store.state.results.pointsLeft === undefined);
-    set('export-project', !both || isBusy(store.state) || !isCurrent(store.state, 'match'));
-    // The report is made of pixels.
-    const absent = Object.values(images).some((image) => image?.source.kind === 'project');
-    set('export-report', !both || absent || isBusy(store.state));
-    set('export-epipolar', !both || absent || isBusy(store.state) || shownPair(store.state).orientation === null);
-    set('export-png', none);
+    const now = savable(store.state);
+    for (const what of EXPORTS) set(`export-${what}`, !now[what]);
     leaveWelcome(!none);
   });
 }

@@ -1,7 +1,7 @@
 /** The relative orientation with its precision: the paper's Tables 2 and 3, and the correlations. */
 import type { FiveParameters, Paper, RelativeOrientation } from '../../shared/crate';
+import { focalOf } from '../state/focal';
 import { interiorInUse } from '../state/interior';
-import { pairCameras } from '../state/cameras';
 import { isCurrent, isStale } from '../state/keys';
 import { failureOf, whyNone } from '../state/no-orientation';
 import { hasPaperCamera } from '../state/paper';
@@ -55,12 +55,16 @@ function content(state: State): HTMLElement[] {
   ];
 }
 
-/** Says where the focal length is from, where no camera is known. */
+/** Says which focal length the matches gave, where no camera is known: that of this very orientation, not what the geometry of the views began with. */
 function estimatedFocal(state: State): HTMLElement[] {
-  const { match } = state.results;
-  const focal = match?.value.geometry?.focal ?? null;
-  if (!('missing' in pairCameras(state)) || focal === null || interiorInUse(state) === null) return [];
-  return [h('p', { class: 'note', testid: 'estimated-focal' }, say('estimated-focal', { focal_px: focal.focal_px, error_px: focal.standard_error_px }))];
+  const text = estimatedFocalText(state);
+  return text === null ? [] : [h('p', { class: 'note', testid: 'estimated-focal' }, text)];
+}
+
+/** What is said of it; null where a camera is known, or where the matches do not tell it. */
+export function estimatedFocalText(state: State): string | null {
+  const focal = focalOf(state);
+  return focal?.isEstimated === true ? say('estimated-focal', { focal_px: focal.focalPx, error_px: focal.errorPx }) : null;
 }
 
 /** Why there is no orientation for what is wanted now; null where there is one, or one to come. */

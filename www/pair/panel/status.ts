@@ -1,6 +1,6 @@
 /** What the answer says while nothing is answered yet: what runs, how far it is, what went wrong, and what to do. */
 import { STAGES } from '../state/stages';
-import { anyStale, currentFailure, progress } from '../state/select';
+import { anyStale, currentFailure, isBusy, progress } from '../state/select';
 import type { StageName, State } from '../state/state';
 import type { Store } from '../state/store';
 import { resting } from './answer';
@@ -49,10 +49,6 @@ export function mountStatus(store: Store, actions: StatusActions): void {
       }
     },
   );
-}
-
-export function isBusy(state: State): boolean {
-  return Object.keys(state.running).length > 0 || state.notice?.kind === 'busy';
 }
 
 function answerOf(state: State, actions: AnswerActions): Answer {

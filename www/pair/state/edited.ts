@@ -32,6 +32,14 @@ export function isManual({ matches }: Pick<MatchResult, 'matches'>, row: number)
   return matches[5 * row + 4] === MANUAL_MEASURE;
 }
 
+/** Whether the match of a left point was measured by hand, or was until it was rejected. */
+export function isMeasured(edited: Edited, { placed }: Standing, left: number): boolean {
+  const row = rowOfEdited(edited.match)[left] ?? -1;
+  if (row >= 0) return isManual(edited.match, row);
+  const target = targetOfLeft(edited, left);
+  return target !== null && placed.has(keyOfTarget(target));
+}
+
 /** Rows of matches by the whole px that holds their left position. */
 const rowsByPixel = remember((matches: Float64Array): ReadonlyMap<number, readonly number[]> => {
   const cells = new Map<number, number[]>();

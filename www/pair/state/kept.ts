@@ -4,7 +4,7 @@ import type { History } from '../../shared/state/history';
 import type { CameraMm, Flight, PairProject, Settings } from '../../shared/crate';
 import { isNothing, standingOf } from './edits';
 import type { Edit } from './edits';
-import { isCurrent, wantedKeys } from './keys';
+import { isCurrent, runKey, wantedKeys } from './keys';
 import { withResults } from './project';
 import type { Beside, Times } from './project';
 import { progress } from './select';
@@ -89,9 +89,20 @@ export function isBlank(state: State): boolean {
   );
 }
 
-/** Whether results of the user's own photographs are there, which should not be lost to the next pair. */
+/**
+ * Whether something is there that should not be lost to the next pair: matches of the user's own photographs, up to date or not, or what was done by hand to
+ * whatever images. Those of a project file are the user's own without their files, too.
+ */
 export function isWorthKeeping(state: State): boolean {
-  return SIDES.every((side) => state.images[side]?.source.kind === 'file') && isCurrent(state, 'match');
+  const areOwn = SIDES.every((side) => (state.images[side]?.source.kind ?? 'grey') !== 'grey');
+  // Until the images are open, what is matched may be those before them.
+  const isMatched = state.results.match !== undefined && isCurrent(state, 'openLeft') && isCurrent(state, 'openRight');
+  return (areOwn && isMatched) || isEdited(state) || SIDES.some((side) => state.masks[side] !== null);
+}
+
+/** Whether marks were measured in images of the user's own, or it is said where they lie in their scans: of a simulated pair they come again. */
+export function hasMarks({ images, photos, truth }: State): boolean {
+  return truth === null && SIDES.some((side) => images[side] !== null && hasData(photos[side]));
 }
 
 /** Whether something was measured or said of a photo. */
@@ -152,7 +163,9 @@ export function withKept(state: State, { typed, display, flight, paused, images,
   if (result === null) return { ...fresh, history };
   const made = withResults({ ...fresh, ...result.typed }, result.project, { ...result.beside, ...opened }, result.times);
   // What the edits do is compared with what was before all of them.
-  return { ...made, ...typed, history, before: history.done === 0 ? null : (made.results.orientation?.value ?? null) };
+  const { orientation } = made.results;
+  const before = history.done === 0 || orientation === undefined ? null : { run: runKey(made), orientation: orientation.value };
+  return { ...made, ...typed, history, before };
 }
 
 /** The same of both sides. */

@@ -103,7 +103,13 @@ function knownOfDraft({ draft }: State): unknown {
   return draft === null ? null : [draft.side, draft.places[otherSide(draft.side)]];
 }
 
-function compute(state: State): WantedKeys {
+/** The keys, and that of the orientation as it would be without edits by hand. */
+interface Computed {
+  keys: WantedKeys;
+  run: string | null;
+}
+
+function compute(state: State): Computed {
   const { settings } = state;
   const openLeft = openKey(state, 'left');
   const openRight = openKey(state, 'right');
@@ -137,7 +143,8 @@ function compute(state: State): WantedKeys {
   const edited = withEdits(state, match);
   // What was found of a point stays what it is whatever is rejected.
   const placed = standingOf(state.history.edits, state.history.done).placed.size > 0;
-  return {
+  const orientation = (matches: string | null) => keyOf('orientation', [matches, orientable, ...interiors], settings?.orientation);
+  const keys = {
     openLeft,
     openRight,
     pointsLeft,
@@ -148,19 +155,29 @@ function compute(state: State): WantedKeys {
     match,
     interiorLeft,
     interiorRight,
-    orientation: keyOf('orientation', [edited, orientable, ...interiors], settings?.orientation),
+    orientation: orientation(edited),
     score: keyOf('score', [edited, truth === null ? null : ''], [truth?.leftId, truth?.rightId]),
     line: keyOf('line', [match, state.draft === null ? null : ''], knownOfDraft(state)),
     inspection: keyOf('inspection', [placed ? edited : match, state.selection === null ? null : ''], [state.selection, settings?.window]),
   };
+  return { keys, run: orientation(match) };
 }
 
-let last: { state: State; keys: WantedKeys } | null = null;
+let last: ({ state: State } & Computed) | null = null;
+
+function computed(state: State): Computed {
+  if (last?.state !== state) last = { state, ...compute(state) };
+  return last;
+}
 
 /** The wanted keys of a state; computed once a state. */
 export function wantedKeys(state: State): WantedKeys {
-  if (last?.state !== state) last = { state, keys: compute(state) };
-  return last.keys;
+  return computed(state).keys;
+}
+
+/** What the orientation of a state depends on beside the edits by hand: the same as long as these alone change. */
+export function runKey(state: State): string | null {
+  return computed(state).run;
 }
 
 /** Whether a stage's result is there and made by the settings that are wanted now. */

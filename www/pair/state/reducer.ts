@@ -5,7 +5,7 @@ import { recorded, wentTo } from '../../shared/state/history';
 import type { History } from '../../shared/state/history';
 import { exchanged } from './edits';
 import type { Edit } from './edits';
-import { isCurrent } from './keys';
+import { isCurrent, runKey } from './keys';
 import { withKept } from './kept';
 import { withFiles, withProject } from './project';
 import { exchangedPair } from './shelf';
@@ -179,7 +179,8 @@ function withKeptEdits(stage: StageName, state: State): State {
 /** The state with other edits. What they do to the orientation is compared with the one before them. */
 function withHistory(state: State, history: History<Edit>): State {
   if (history.done === state.history.done && history.edits === state.history.edits) return state;
-  const before = isCurrent(state, 'orientation') ? (state.results.orientation?.value ?? null) : state.before;
+  const { orientation } = state.results;
+  const before = isCurrent(state, 'orientation') && orientation !== undefined ? { run: runKey(state), orientation: orientation.value } : state.before;
   // The run goes on with the edited matches.
   return { ...state, history, before, paused: false };
 }

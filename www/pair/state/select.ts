@@ -189,6 +189,11 @@ export function progress(state: State): { wanted: number; done: number; running:
   };
 }
 
+/** Whether something is under way that can be cancelled. */
+export function isBusy(state: State): boolean {
+  return Object.keys(state.running).length > 0 || state.notice?.kind === 'busy';
+}
+
 /** The first failure that stands for what is wanted now. */
 export function currentFailure(state: State): { stage: StageName; message: string; ended: boolean } | null {
   const keys = wantedKeys(state);

@@ -250,8 +250,8 @@ export interface State {
   /** Keys of the matches that are chosen together, beside the selection. */
   chosen: readonly string[];
   filter: MatchFilter;
-  /** The orientation before the latest edit. */
-  before: OrientedPair | null;
+  /** The orientation before the latest edit, and of which run it is (`runKey`). */
+  before: { run: string | null; orientation: OrientedPair } | null;
   /** What a press or a drag on the pictures does. */
   tool: Tool;
   draft: Draft | null;

@@ -33,7 +33,7 @@ export function mountInput(view: View, store: Store, navigator: Navigator, { edi
     if (store.state.activeSide !== side) store.dispatch({ type: 'activeSide', side });
   };
   // In the order of the list of keys: what is needed most comes first.
-  const look = declare({ where: say('pictures-of-a-pair'), host, list: pictureKeys(store, navigator, editing, masking) });
+  const look = declare({ where: say('pictures-of-a-pair'), host, list: pictureKeys(view, store, navigator, editing, masking) });
   const measuring = declare({ where: say('pictures-of-a-pair-while'), host, list: measuringKeys(store, navigator, editing) });
   const masks = declare({ where: say('pictures-of-a-pair-while-masking'), host, list: maskingKeys(store, navigator, masking, paint) });
   const marks = declare({ where: say('pictures-of-a-pair-while-marking'), host, list: markingKeys(store, navigator, marking) });
@@ -66,6 +66,7 @@ export function mountInput(view: View, store: Store, navigator: Navigator, { edi
       // The bar of the view belongs to it: after a press there the keys go on.
     },
     host.closest<HTMLElement>('.stage') ?? host,
+    () => store.state.images.left !== null || store.state.images.right !== null,
   );
 }
 
@@ -214,11 +215,13 @@ function measuringKeys(store: Store, navigator: Navigator, editing: Editing): Co
   ];
 }
 
-function pictureKeys(store: Store, navigator: Navigator, editing: Editing, masking: Masking): Command[] {
+function pictureKeys(view: View, store: Store, navigator: Navigator, editing: Editing, masking: Masking): Command[] {
   const show = (display: Partial<State['display']>) => store.dispatch({ type: 'display', display });
-  const move = () => {
-    editing.move();
+  const measures = (begins: () => void) => () => {
+    begins();
     navigator.followDraft();
+    // Else Enter would press the button that had the keyboard.
+    if (store.state.tool === 'measure') view.takeKeys();
   };
   const leave = () => {
     if (!editing.leave()) navigator.select(null);
@@ -234,9 +237,9 @@ function pictureKeys(store: Store, navigator: Navigator, editing: Editing, maski
     { keys: ['s'], does: say('chooses-matches-by-rectangles'), run: () => editing.toggle('choose') },
     { keys: ['Delete', 'Backspace'], does: say('rejects-the-chosen-matches'), run: () => editing.edit('reject') },
     { keys: ['r'], does: say('restores-the-chosen-matches'), run: () => editing.edit('restore') },
-    { keys: ['a'], does: say('adds-a-match-by-measuring'), run: () => editing.toggle('measure') },
+    { keys: ['a'], does: say('adds-a-match-by-measuring'), run: measures(() => editing.toggle('measure')) },
     { keys: ['w'], does: say('outlines-areas-to-be-masked'), run: () => masking.toggle() },
-    { keys: ['e'], does: say('measures-the-selected-match-anew'), run: move },
+    { keys: ['e'], does: say('measures-the-selected-match-anew'), run: measures(() => editing.move()) },
     { keys: ['Escape'], does: say('gives-up-or-selects-nothing'), run: leave },
   ];
 }

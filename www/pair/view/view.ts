@@ -92,6 +92,11 @@ export class View {
     return sceneOf(this.store.state, this.layers.width, this.layers.height);
   }
 
+  /** The keyboard goes on in the pictures. */
+  takeKeys(): void {
+    this.host.focus({ preventScroll: true });
+  }
+
   /** The pointer's place over the canvas, for the magnifier; null when it left. */
   point(at: [number, number] | null): void {
     this.pointer = at;

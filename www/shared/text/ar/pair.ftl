@@ -143,10 +143,22 @@ f-mm = { $message }، { $name ->
     }: { $what }، البعد البؤري { $focal_mm } مم، { $pixel }.{ $cautions }
 they-came-with-the-sample = {" "}(جاءت مع النموذج)
 in-use-the-values-below = المستعمل: القيم أدناه{ $what }{ $told }. { $exif }
-the-focal-length-is-not-used-yet = البعد البؤري غير مستعمل بعد: أعطِ حجم البكسل، أو العلامات الإطارية للصورتين. { $exif }
+the-focal-length-is-not-used-yet = البعد البؤري غير مستعمل بعد: أعطِ حجم البكسل، أو البعد البؤري بالبكسل، أو العلامات الإطارية للصورتين. { $exif }
+focal-length-in-px-sets = { $what ->
+        [scans] مع العلامات الإطارية يكون البعد البؤري بالمليمتر.
+        [pixel] يحدد البعد البؤري بالبكسل حجمَ البكسل، بحسب البعد البؤري بالمليمتر.
+       *[focal] يحدد البعد البؤري بالبكسل البعدَ البؤري بالمليمتر، بحسب حجم البكسل؛ فإن لم يُعطَ فلبكسلات قدرها 0.001 مم. ويحل محله البعد البؤري وحجم البكسل بالمليمتر.
+    }
+use-the-camera-for-both = استعمال كاميرا الصورة { $side ->
+        [left] اليسرى
+       *[right] اليمنى
+    } للصورتين
 in-use-the-photos-own = المستعمل: كاميرا الصور نفسها{ $told }. تحل القيم أدناه محلها. { $exif }
-no-camera-is-known-that = لا كاميرا معروفة: تُفترض كاميرا معظم الصور{ $told }. تحل القيم أدناه محلها. { $exif }
-orientation-needs-a-focal-length = يحتاج التوجيه إلى بعد بؤري، وإلى حجم بكسل أو علامات إطارية. ومع مطابقات التدرجات يستغني عنها. { $exif }
+no-camera-is-known = لا كاميرا معروفة: { $source ->
+        [estimated] تُقدَّر من المطابقات
+       *[assumed] تُفترض كاميرا معظم الصور
+    }{ $told }. تحل القيم أدناه محلها. { $exif }
+orientation-needs-a-focal-length = يحتاج التوجيه إلى بعد بؤري بالبكسل، أو بالمليمتر مع حجم بكسل أو علامات إطارية. ومع مطابقات التدرجات يستغني عنها. { $exif }
 focal-length-px = ، البعد البؤري { FIXED($focal, digits: 0) } ± { FIXED($error, digits: 0) } بكسل
 offset-dx = الإزاحة dx
 offset-dy = الإزاحة dy
@@ -394,7 +406,7 @@ two-images-are-needed = المطلوب صورتان.
 not-oriented-2 = لم يُوجَّه: { $message }.
 not-oriented-do-both-photos = لم يُوجَّه: { $message }. هل تُظهر الصورتان الأرض نفسها؟
 and-the-matches-do-not = ، والمطابقات لا تحدد البعد البؤري
-not-oriented-give-the-focal = لم يُوجَّه: { $message }{ $untold }. أعط البعد البؤري، وحجم البكسل أو العلامات الإطارية، في «الكاميرا».
+not-oriented-give-the-focal = لم يُوجَّه: { $message }{ $untold }. أعط البعد البؤري بالبكسل، أو بالمليمتر مع حجم البكسل أو العلامات الإطارية، في «الكاميرا».
 not-oriented-3 = لم يُوجَّه. { $message }
 value = القيمة
 the-right-photo-relative-to = الصورة اليمنى بالنسبة إلى اليسرى، توجيه نسبي تابع.

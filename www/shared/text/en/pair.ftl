@@ -169,10 +169,22 @@ f-mm = { $message }, { $name ->
     }: { $what }, f = { $focal_mm } mm, { $pixel }.{ $cautions }
 they-came-with-the-sample = {" "}(they came with the sample)
 in-use-the-values-below = In use: the values below{ $what }{ $told }. { $exif }
-the-focal-length-is-not-used-yet = The focal length is not used yet: give the pixel size, or the fiducial marks of both images. { $exif }
+the-focal-length-is-not-used-yet = The focal length is not used yet: give the pixel size, the focal length in px, or the fiducial marks of both images. { $exif }
+focal-length-in-px-sets = { $what ->
+        [scans] With fiducial marks the focal length is in mm.
+        [pixel] The focal length in px sets the pixel size, by the focal length in mm.
+       *[focal] The focal length in px sets that in mm, by the pixel size; where there is none, of pixels of 0.001 mm. Focal length and pixel size in mm replace it.
+    }
+use-the-camera-for-both = Use the { $side ->
+        [left] left
+       *[right] right
+    } photo's camera for both
 in-use-the-photos-own = In use: the photos' own camera{ $told }. Values below replace it. { $exif }
-no-camera-is-known-that = No camera is known: that of most photographs is assumed{ $told }. Values below replace it. { $exif }
-orientation-needs-a-focal-length = Orientation needs a focal length, and a pixel size or fiducial marks. With matches of gradients it does without. { $exif }
+no-camera-is-known = No camera is known: { $source ->
+        [estimated] the matches estimate one
+       *[assumed] that of most photographs is assumed
+    }{ $told }. Values below replace it. { $exif }
+orientation-needs-a-focal-length = Orientation needs a focal length in px, or in mm with a pixel size or fiducial marks. With matches of gradients it does without. { $exif }
 focal-length-px = , focal length { FIXED($focal, digits: 0) } ± { FIXED($error, digits: 0) } px
 offset-dx = Offset dx
 offset-dy = Offset dy
@@ -439,7 +451,7 @@ two-images-are-needed = Two images are needed.
 not-oriented-2 = Not oriented: { $message }.
 not-oriented-do-both-photos = Not oriented: { $message }. Do both photos show the same ground?
 and-the-matches-do-not = , and the matches do not determine the focal length
-not-oriented-give-the-focal = Not oriented: { $message }{ $untold }. Give the focal length, and the pixel size or fiducial marks, under “Camera”.
+not-oriented-give-the-focal = Not oriented: { $message }{ $untold }. Give the focal length in px, or in mm with the pixel size or fiducial marks, under “Camera”.
 not-oriented-3 = Not oriented. { $message }
 value = Value
 the-right-photo-relative-to = The right photo relative to the left one, dependent relative orientation.
