@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 43] = [
+pub(super) const NESTED: [&str; 44] = [
     "allowed",
     "axis",
     "block_warning",
@@ -34,6 +34,7 @@ pub(super) const NESTED: [&str; 43] = [
     "input",
     "interruption",
     "json_fault",
+    "json_kind",
     "location",
     "mistake",
     "no_geometry",
