@@ -43,8 +43,9 @@ pub struct RunInput {
 
 impl PartlyGiven for RunInput {
     fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
+        const FIELD: &str = "settings";
         check_groups(NO_OPTIONS, given, document)?;
-        given.get("settings").map_or(Ok(()), |settings| BlockSettings::check_given(settings, &Document::Named { name: "settings".into() }))
+        given.get(FIELD).map_or(Ok(()), |settings| BlockSettings::check_given(settings, &Document::Named { name: FIELD.into() }))
     }
 }
 
