@@ -6,7 +6,7 @@ use crate::message::messages;
 use serde::de::{DeserializeOwned, Error};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
-use serde_path_to_error::Track;
+use serde_path_to_error::{Path, Segment, Track};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
@@ -24,6 +24,33 @@ messages! {
 
 impl std::error::Error for JsonFault {}
 
+messages! {
+    /// What a value of JSON is.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum JsonKind as "json_kind" {
+        Null,
+        Boolean,
+        Number,
+        Text,
+        List,
+        Object,
+    }
+}
+
+impl JsonKind {
+    pub(crate) fn of(value: &Value) -> Self {
+        match value {
+            Value::Null => Self::Null,
+            Value::Bool(_) => Self::Boolean,
+            Value::Number(_) => Self::Number,
+            Value::String(_) => Self::Text,
+            Value::Array(_) => Self::List,
+            Value::Object(_) => Self::Object,
+        }
+    }
+}
+
 impl From<serde_json::Error> for JsonFault {
     fn from(error: serde_json::Error) -> Self {
         let (words, place) = words(&error);
@@ -33,14 +60,21 @@ impl From<serde_json::Error> for JsonFault {
 
 /// Reads a JSON text; or says which field is wrong, and why.
 pub(crate) fn from_text<T: DeserializeOwned>(text: &str) -> Result<T, JsonFault> {
-    read(text).map_err(|error| match error.path().iter().next() {
+    read(text).map_err(|error| match field_of(error.path()) {
         None => error.into_inner().into(),
-        Some(_) => {
+        Some(field) => {
             let (words, place) = words(error.inner());
-            let field = error.path().to_string();
             JsonFault::Field { field, words, line: place.map(|place| place[0]), column: place.map(|place| place[1]) }
         }
     })
+}
+
+/// The field to which a path leads; none for the whole. A text that ends within an object leads to a field that has no name yet.
+fn field_of(path: &Path) -> Option<String> {
+    let whole = path.to_string();
+    let unnamed = path.iter().filter(|segment| matches!(segment, Segment::Unknown)).count();
+    let named = if unnamed == 0 { &whole } else { whole.trim_end_matches(['?', '.']) };
+    (!named.is_empty() && unnamed < path.iter().count()).then(|| named.into())
 }
 
 /// Reads a JSON value that stands in no text: nobody could look up the place of what is refused.
@@ -149,6 +183,9 @@ mod tests {
             ("\"name\"", "\"nam\"", "cameras[0].nam: unknown field `nam`"),
             ("\"name\": \"a\", ", "", "cameras[0]: missing field `name` at line 1 column "),
             (whole, "", "EOF while parsing a value at line 1 column "),
+            (": [{\"name\": \"a\", \"place\": [1, 2], \"reach\": 3}]}", "", "EOF while parsing an object at line 1 column "),
+            (", \"reach\": 3}]}", "", "cameras[0]: EOF while parsing an object at line 1 column "),
+            (", \"reach\": 3}]}", ", ", "cameras[0]: EOF while parsing a value at line 1 column "),
             ("}]}", "}]} 3", "trailing characters"),
         ] {
             let reason = from_text::<File>(&whole.replacen(from, to, 1)).unwrap_err().to_string();

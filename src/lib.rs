@@ -61,7 +61,7 @@ pub use camera::{
     FiducialModel, FiducialOrientation, FreeParameters, Interior, Pose, RtkSolution, angles_from_rotation, orient_fiducials,
     rotation_from_angles,
 };
-pub use catalogue::{CALL_PARAMETERS, Parameter, ParameterKind, acting, with_defaults};
+pub use catalogue::{CALL_PARAMETERS, Group, Parameter, ParameterKind, PartlyGiven, acting, with_defaults};
 pub use crs::{Geoid, coordinates_in_system, places_of_coordinates};
 pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
@@ -87,7 +87,7 @@ pub use image::{
     Bands, DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, decode_bands, halve, read_header, reduce_to, refused_kind,
     write_bands, write_png,
 };
-pub use json::JsonFault;
+pub use json::{JsonFault, JsonKind};
 pub use matching::{
     Candidate, DESCRIPTOR_BYTES, Denominator, Described, DescriptorMatch, Descriptors, EpipolarLines, Expectation, Fit, Guide,
     GuidedOptions, Located, Match, MatchCounts, MatchImage, MatchOptions, MatchSet, Nearest, NearestOptions, NearestTable, OffsetField,

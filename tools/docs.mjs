@@ -17,6 +17,7 @@ import {
   placing_defaults,
   placing_parameters,
 } from '../pkg/node.js';
+import { COMMANDS } from '../pkg/command/main.js';
 import { BLOCK_NAMES, optionsOf } from '../pkg/command/options.js';
 import { ROOT } from './lib/paths.mjs';
 import { namedOrUsage } from './lib/usage.mjs';
@@ -25,8 +26,25 @@ export const OPTIONS_FILE = join(ROOT, 'docs', 'options.md');
 
 /** @typedef {import('../pkg/node.js').Parameter} Parameter */
 
+/** @typedef {import('../pkg/command/args.js').Command} Command */
+
 /** @param {string} text */
 const cell = (text) => text.replaceAll('|', '\\|');
+
+/** @param {string[]} cells */
+const rowOf = (cells) => `| ${cells.map(cell).join(' | ')} |`;
+
+/**
+ * When an option acts, as far as the options beside it decide that, by their places.
+ * @param {Parameter} p @param {ReadonlyMap<string, string>} places by key
+ */
+function actsOf({ acts }, places) {
+  const keyOf = (/** @type {string} */ one) => one.split(' is ')[0] ?? '';
+  const cases = acts.split(' or ').map((all) => all.split(' and ').filter((one) => places.has(keyOf(one))));
+  if (cases.some((all) => all.length === 0)) return '';
+  const written = cases.map((all) => all.map((one) => one.replace(keyOf(one), places.get(keyOf(one)) ?? '')).join(' and '));
+  return ` Acts where ${written.join(' or ')}.`;
+}
 
 /**
  * A table for each section.
@@ -34,12 +52,12 @@ const cell = (text) => text.replaceAll('|', '\\|');
  */
 function chapter(title, about, all, standard, called) {
   const options = optionsOf(all, standard, called);
+  const places = new Map(all.map(({ key, path }) => [key, path]));
   const rows = all.map((p, i) => ({ p, option: options[i] })).filter(({ option }) => option !== undefined);
   const row = (/** @type {typeof rows[number]} */ { p, option }) => {
     const range = p.kind === 'flag' ? 'yes or no' : `${option?.range}${p.unit ? ` ${p.unit}` : ''}`;
     const standing = p.kind === 'flag' ? (option?.negates ? 'yes' : 'no') : String(option?.fallback ?? '');
-    const acts = p.acts ? ` Acts where ${p.acts}.` : '';
-    return `| ${[`\`--${option?.name}\``, `\`${p.key}\``, p.label, range, standing, `${p.help}${acts}`].map(cell).join(' | ')} |`;
+    return rowOf([`\`--${option?.name}\``, `\`${p.path}\``, p.label, range, standing, `${p.help}${actsOf(p, places)}`]);
   };
   const sections = [...new Set(all.map(({ section }) => section))].flatMap((section) => [
     `### ${section}`,
@@ -52,11 +70,22 @@ function chapter(title, about, all, standard, called) {
   return [`## ${title}`, '', about, '', ...sections];
 }
 
+/** What a command is given beside what the crate declares: files, folders, choices of the command.  @param {Command} command @returns {string[]} */
+function givenTo(command) {
+  const own = command.options.filter(({ name, key }) => key === undefined && name !== 'json' && name !== 'help');
+  const rows = own.map(({ name, placeholder, range = '', fallback = '', help }) =>
+    rowOf([`\`${`--${name} ${placeholder}`.trim()}\``, range, String(fallback), help]),
+  );
+  const table = [`### tiepoint ${command.name}`, '', '| option | allowed | default | what it does |', '|---|---|---|---|', ...rows, ''];
+  return [...(own.length > 0 ? table : []), ...(command.variant ? givenTo(command.variant) : [])];
+}
+
 export function optionsPage() {
   return `${[
     '# Options',
     '',
-    'Every option of the command, the package, the page and the crate. They are declared once, in the crate; `npm run docs` writes this page.',
+    'Every option of the command, the package, the page and the crate. `npm run docs` writes this page: settings and values are declared once, in the crate, files and folders where the command takes them. ' +
+      '*Setting* is where an option stands in the object that the chapter names.',
     '',
     ...chapter(
       'Pairs',
@@ -65,18 +94,12 @@ export function optionsPage() {
       parameters(),
       defaults(),
     ),
-    ...chapter(
-      'Blocks',
-      '`tiepoint block`; in the package and the crate: `BlockSettings`, where `multiscale` and `gradient` stand in `features`.',
-      block_parameters(),
-      block_settings({}),
-      BLOCK_NAMES,
-    ),
+    ...chapter('Blocks', '`tiepoint block`; in the package and the crate: `BlockSettings`.', block_parameters(), block_settings({}), BLOCK_NAMES),
     ...chapter(
       'Placing on an orthophoto',
       '`tiepoint place`, and `tiepoint block` beside `--orthophoto`, where `--points` and `--seed` are `--orthophoto-points` and `--orthophoto-seed`; in the package and the crate: `PlacingOptions`. Lengths are in the unit of the map.',
       placing_parameters(),
-      { placing: placing_defaults() },
+      placing_defaults(),
     ),
     ...chapter(
       'Simulated pairs',
@@ -96,6 +119,11 @@ export function optionsPage() {
       call_parameters(),
       {},
     ),
+    '## Files of calls',
+    '',
+    'What each command is given beside settings and values; each also has `--help`, and those that print a result `--json`.',
+    '',
+    ...COMMANDS.flatMap(givenTo),
   ]
     .join('\n')
     .trimEnd()}\n`;

@@ -3,7 +3,7 @@
 
 import { statSync } from 'node:fs';
 import { basename, dirname, extname, join } from 'node:path';
-import { block_settings, image_position, OrthophotoReference, positions_of_images, remarks_of_positions } from '../node.js';
+import { image_position, OrthophotoReference, positions_of_images, remarks_of_positions } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
 import { filesIn, inParts, isFile, isFolder, readBytes, readText } from './files.js';
 import { path, valueOption } from './options.js';
@@ -61,7 +61,7 @@ export function openReference(file, ground, placing) {
 export function positionsIn(file, crs, images, reference) {
   const { epsg } = reference.info();
   const [text, names] = [readText(file), images.map((image) => basename(image))];
-  const placing = { ...block_settings({}).placing, crs: crs ?? (epsg === null ? null : `EPSG:${epsg}`) };
+  const placing = { crs: crs ?? (epsg === null ? null : `EPSG:${epsg}`) };
   return about(file, () => ({ given: positions_of_images(text, names, placing), remarks: remarks_of_positions(text, names) }));
 }
 

@@ -21,7 +21,7 @@ export const interior = {
   options: [MODEL, JSON_FLAG],
   details:
     'FIDUCIALS.csv: columns col,row,x_mm,y_mm, one line per mark. x_mm = a col + b row + tx, y_mm = d col + e row + ty. ' +
-    'JSON: parameters [[a, b, tx], [d, e, ty]], residuals_mm, sigma0_mm, standard_errors (null without redundancy), degrees_of_freedom.',
+    'JSON: model, parameters [[a, b, tx], [d, e, ty]], residuals_mm, sigma0_mm, standard_errors (null without redundancy), covariance (of the three parameters of a row, the same for both rows; null without redundancy and for a similarity), degrees_of_freedom.',
   run({ positionals: [file = ''], values }) {
     const text = readText(file);
     const model = /** @type {FiducialModel} */ (values.get('model') ?? 'affine');

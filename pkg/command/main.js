@@ -26,9 +26,24 @@ import { sample, simulate } from './simulate.js';
 /** @typedef {import('./args.js').Command} Command */
 
 /** @type {Command[]} */
-const COMMANDS = [points, match, interior, orient, moments, report, film, block, edit, covariances, accuracy, mosaic, epipolar, place, sample, simulate].map(
-  withHelp,
-);
+export const COMMANDS = [
+  points,
+  match,
+  interior,
+  orient,
+  moments,
+  report,
+  film,
+  block,
+  edit,
+  covariances,
+  accuracy,
+  mosaic,
+  epipolar,
+  place,
+  sample,
+  simulate,
+].map(withHelp);
 
 /** @param {Command} command @returns {Command} */
 function withHelp(command) {

@@ -1,7 +1,8 @@
 // @ts-check
 import { withText } from '../messages.js';
 import { cameraWanted } from '../pair/camera-wanted.js';
-import { acting_parameters, defaults, matches_csv, message, pair_hint, pair_preset, pair_presets, points_csv, resolved, write_pair_project } from '../node.js';
+import { defaults, matches_csv, message, pair_hint, pair_preset, pair_presets, points_csv, resolved, write_pair_project } from '../node.js';
+import { noteNotActing } from './acting.js';
 import { checkSize } from './block-camera.js';
 import { VERDICT_CODES } from './errors.js';
 import { describeFileCameras, fileCamerasOf } from './file-cameras.js';
@@ -48,9 +49,9 @@ export const match = {
   options: OPTIONS,
   details:
     "Without --camera the focal length comes from the images' XMP and EXIF data (file_cameras, each with its origin and cautions); without either the matches are given and the orientation is null, with the " +
-    'reason. JSON: verdict (oriented, weak or not_oriented, with what decided), counts (left, right, matches, rejected by rule), matches [[x_left, y_left, x_right, y_right, measure], …], orientation as `tiepoint orient` ' +
+    'reason. JSON: verdict (oriented, weak or not_oriented, with what decided), counts (left, right, matches, rejected by rule), matches [[x_left, y_left, x_right, y_right, measure], …], fits (of each match correlation, covariance xx, xy, yy of the right position in px² and iterations of least squares matching, null of one that was not matched so and where none was), offset_px (median right minus left position, or null), orientation as `tiepoint orient` ' +
     'prints it, or null with no_orientation, which says why; rejected indices count matches from 0. With gradients also geometry (model, threshold_px, sigma_px, ' +
-    'degenerate, focal) or null with no_geometry; where no camera is known, one is assumed. orientation.cameras says what is known of each camera, but for those known without error: with an uncertainty of zeros, or with none and fiducial marks.',
+    'degenerate, focal) or null with no_geometry; where no camera is known, one is assumed. interior is the interior orientation of both photos, pixel_mm the size of a left pixel at photo scale (both null where there is none), settings all settings with what follows from them, score with --truth how near matches and orientation are to it. orientation.cameras says what is known of each camera, but for those known without error: with an uncertainty of zeros, or with none and fiducial marks.',
   async run(call) {
     const {
       positionals: [leftPath = '', rightPath = ''],
@@ -58,7 +59,7 @@ export const match = {
     } = call;
     const { input, ofBlock } = inputOf(call);
     const settings = settingsOf(OPTIONS, values, presetOf(values.get('preset')));
-    noteNotActing(values, settings);
+    noteNotActing(SETTING_OPTIONS, values, settings, `strategy ${resolved(settings).matching.strategy}`);
     const [out, truthPath] = [values.get('out'), values.get('truth')];
     const truth = typeof truthPath === 'string' ? readTruth(truthPath) : null;
     if (typeof out === 'string') makeFolder(out);
@@ -92,18 +93,6 @@ export const match = {
 
 /** The settings that a preset starts from.  @param {import('./options.js').Value | undefined} name */
 const presetOf = (name) => (name === undefined ? defaults() : pair_preset(/** @type {import('../node.js').PairPreset} */ (name)));
-
-/**
- * Says which options have no effect beside the others, as those of moments where gradients are compared.
- * @param {import('./args.js').Call['values']} values @param {import('../node.js').PairSettings} settings
- */
-function noteNotActing(values, settings) {
-  const acting = new Set(acting_parameters(settings));
-  const idle = SETTING_OPTIONS.filter(({ name, key = '', section }) => section && values.has(name) && !acting.has(key));
-  if (idle.length === 0) return;
-  const { strategy } = resolved(settings).matching;
-  note(`without effect with the strategy ${strategy} and the other options: ${idle.map(({ name }) => `--${name}`).join(', ')}`);
-}
 
 /** Says which options did nothing for want of an interior orientation.  @param {import('./args.js').Call['values']} values */
 function noteWithoutEffect(values) {

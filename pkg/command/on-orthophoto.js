@@ -17,7 +17,7 @@ import { Progress } from './progress.js';
 /** A block has names of its own for some settings. */
 const NAMES = { 'placing.points': 'orthophoto-points', 'placing.seed': 'orthophoto-seed' };
 
-const OPTIONS = optionsOf(placing_parameters(), { placing: placing_defaults() }, NAMES);
+const OPTIONS = optionsOf(placing_parameters(), placing_defaults(), NAMES);
 
 export const ORTHOPHOTO_OPTIONS = [
   path(
@@ -39,7 +39,7 @@ export function orthophotoOf(values) {
   }
   const ground = groundOf(values);
   if (!ground) note(NO_HEIGHTS);
-  return openReference(file, ground, settingsOf(OPTIONS, values, { placing: placing_defaults() }).placing);
+  return openReference(file, ground, settingsOf(OPTIONS, values, placing_defaults()));
 }
 
 /** Says before anything is matched that the orthophoto is of elsewhere.  @param {OrthophotoReference} reference @param {readonly string[]} images @param {import('./ground.js').Given} given */

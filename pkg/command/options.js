@@ -13,6 +13,7 @@ import { UsageError } from './errors.js';
  * @property {string} placeholder of its value; empty for a flag
  * @property {string} help
  * @property {string} [key] what it stands for, as messages of the crate name it: `group.field` of a setting or a flight, or an argument
+ * @property {string} [path] where it stands in the settings; that of no setting stands nowhere
  * @property {string} [section] the heading under which help lists it
  * @property {string} [range] what is allowed, in words
  * @property {number | string} [fallback] its default, or what holds without it
@@ -66,10 +67,10 @@ const PLACEHOLDERS = { '': 'N', mm: 'MM', m: 'M', px: 'PX', '°': 'DEG', 'grey v
  * @param {Parameter} p @param {unknown} standard @param {string} [called] in place of its own name @returns {Option}
  */
 function parameterOption(p, standard, called) {
-  const { key, section } = p;
+  const { key, path, section } = p;
   const negates = standard === true;
   const name = called ?? (p.named || `${negates ? 'no-' : ''}${key.replace(/^.*\./, '').replaceAll('_', '-')}`);
-  if (p.kind === 'flag') return { ...flag(name, negates ? `Switches this off: ${p.help}` : p.help), key, section, negates };
+  if (p.kind === 'flag') return { ...flag(name, negates ? `Switches this off: ${p.help}` : p.help), key, path, section, negates };
   const placeholder = { choice: 'NAME', text: 'TEXT' }[/** @type {string} */ (p.kind)] ?? PLACEHOLDERS[p.unit];
   const help = placeholder ? p.help : `${p.help} Its unit is ${p.unit}.`;
   const fallback = typeof standard === 'number' || typeof standard === 'string' ? standard : p.absent;
@@ -77,6 +78,7 @@ function parameterOption(p, standard, called) {
     name,
     placeholder: placeholder ?? 'N',
     key,
+    path,
     section,
     // Written where it is asked for: a command that is called well needs no text of the crate.
     get range() {
@@ -88,22 +90,21 @@ function parameterOption(p, standard, called) {
   };
 }
 
-/** The group of a key in settings; those of features lie a step deeper in a block's.  @param {object} settings @param {string} key @returns {[Record<string, unknown>, string]} */
-function placeOf(settings, key) {
-  const [group = '', field = ''] = key.split('.');
-  /** @type {Record<string, any>} */
-  const groups = { ...settings };
-  return [groups[group] ?? groups.features?.[group] ?? settings, field];
+/** The group of settings in which an option stands, and its field there.  @param {object} settings @param {string} path @returns {[Record<string, unknown>, string]} */
+function placeOf(settings, path) {
+  const groups = path.split('.');
+  const field = groups.pop() ?? '';
+  return [groups.reduce((within, name) => /** @type {any} */ (within)[name], /** @type {any} */ (settings)), field];
 }
 
 /**
  * Options for all parameters, in their order.
- * @param {readonly Parameter[]} all @param {object} standard the settings, or the group, whose values are the defaults
+ * @param {readonly Parameter[]} all @param {object} standard the settings whose values are the defaults
  * @param {Readonly<Record<string, string>>} [called] names by key, in place of their own @returns {Option[]}
  */
 export function optionsOf(all, standard, called = {}) {
   return all.map((p) => {
-    const [group, field] = placeOf(standard, p.key);
+    const [group, field] = placeOf(standard, p.path);
     return parameterOption(p, group[field], called[p.key]);
   });
 }
@@ -160,6 +161,7 @@ export function valueOption(key) {
   if (!declared) throw new Error(`the crate declares no ${key}`);
   const option = parameterOption(declared, undefined);
   delete option.section;
+  delete option.path;
   return option;
 }
 
@@ -203,11 +205,10 @@ export const ORIENTING_OPTIONS = PAIR.filter(({ key = '' }) => key === 'matching
  * @template {object} T @param {Option[]} options @param {Map<string, Value>} values @param {T} settings the defaults @returns {T}
  */
 export function settingsOf(options, values, settings) {
-  for (const { name, key, section, negates } of options) {
+  for (const { name, path, negates } of options) {
     const given = values.get(name);
-    // What stands in no section, as the focal length of a camera, is no setting.
-    if (!key || !section || given === undefined) continue;
-    const [group, field] = placeOf(settings, key);
+    if (path === undefined || given === undefined) continue;
+    const [group, field] = placeOf(settings, path);
     group[field] = negates ? !given : given;
   }
   return settings;

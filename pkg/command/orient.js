@@ -23,14 +23,13 @@ export const orient = {
   options: OPTIONS,
   details:
     'OBSERVATIONS.csv: columns x_left_mm,y_left_mm,x_right_mm,y_right_mm, x to the right and y up, principal point at 0, 0. ' +
-    '--focal-mm and --base-mm are required. JSON: omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, total_standard_errors (with what neighbouring matches share and the interior orientations add, null where not known), half_widths_95 (of the intervals that hold the unknowns in 95 % of cases), sigma0_mm, variance_left (what the rejection has left of the variance of good observations, by which sigma0 squared and cofactors are divided), degrees_of_freedom, ' +
+    '--focal-mm is required. JSON: omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, total_standard_errors (with what neighbouring matches share and the interior orientations add, null where not known), half_widths_95 (of the intervals that hold the unknowns in 95 % of cases), sigma0_mm, variance_left (what the rejection has left of the variance of good observations, by which sigma0 squared and cofactors are divided), degrees_of_freedom, ' +
     'iterations, cofactors and correlations (of omega, phi, kappa, by, bz), condition, warnings, global_test, base_ellipse_mm, base_ellipse_95_mm, noncentrality (delta0 of the minimal detectable size), residuals_mm [[vxl, vyl, vxr, vyr], …], ' +
     'points [[y-parallax mm, redundancy, w, detectable mm, external reliability, weight, X, Y, Z mm], …], rejected (indices from 0). ' +
     '--points FILE: columns point (index from 0), x, y, z, sigma_x, sigma_y, sigma_z, use (used or rejected); x and y along the axes of the left photo, which looks along -z from 0, 0, 0; the standard errors include those of the orientation.',
   run({ positionals: [file = ''], values }) {
     const focal = values.get('focal-mm');
     if (typeof focal !== 'number') throw new UsageError('--focal-mm is missing: give the focal length in mm');
-    if (!values.has('base-mm')) throw new UsageError('--base-mm is missing: give the photo base in mm');
     const settings = settingsOf(OPTIONS, values, defaults());
     const text = readText(file);
     const observations = about(file, () => parse_observations(text));

@@ -13,7 +13,7 @@ import { elsewhereOf, GROUND_OPTIONS, groundOf, NO_HEIGHTS, openReference, ORTHO
 
 /** @typedef {import('../node.js').PlacedImage} PlacedImage */
 
-const OPTIONS = optionsOf(placing_parameters(), { placing: placing_defaults() });
+const OPTIONS = optionsOf(placing_parameters(), placing_defaults());
 
 /** @type {import('./args.js').Command} */
 export const place = {
@@ -45,7 +45,7 @@ export const place = {
   ],
   details:
     'Points of the image are found on the orthophoto, first about its GNSS position where it has one and the orthophoto says its system, the image is oriented by them, resampled to the ground and matched again, then adjusted; a part of the links takes no part and checks the result. Lengths are those of the ' +
-    'map. An error that all places of the orthophoto or all heights share shows nowhere. JSON: orthophoto, remarks, images [{name, verdict, placement or null, search}, …] with camera, pose, standard errors, footprint, links, of scanned film also film with its interior orientation. ' +
+    'map. An error that all places of the orthophoto or all heights share shows nowhere. JSON: orthophoto, remarks, images [{name, verdict, placement or null, search (how the GNSS position of the image led to it, absent where it was not sought by one)}, …] with camera, pose, standard errors, footprint, links, of scanned film also film with its interior orientation. ' +
     'The exit code is that of the worst verdict: 0 placed, 3 weak, 4 not placed.',
   run,
 };
@@ -57,7 +57,7 @@ async function run({ positionals, values }) {
   if (positionals.length === 0) throw new UsageError('name the images that are to be placed');
   if (values.has('rectified') && typeof out !== 'string') throw new UsageError('--rectified needs --out, the folder that receives the pictures');
   refuseTwice(positionals, values.has('rectified') ? stemOf : basename);
-  const { placing } = settingsOf(OPTIONS, values, { placing: placing_defaults() });
+  const placing = settingsOf(OPTIONS, values, placing_defaults());
   const film = filmOf(values, positionals);
   const cameras = camerasOf(values.get('cameras'), positionals);
   const ground = groundOf(values);

@@ -1,5 +1,6 @@
 // @ts-check
-import { defaults } from '../node.js';
+import { defaults, resolved } from '../node.js';
+import { noteNotActing } from './acting.js';
 import { readMask, readPhoto } from './files.js';
 import { groupOptions, JSON_FLAG, MASK, path, settingsOf } from './options.js';
 import { print, printJson, rows } from './output.js';
@@ -11,7 +12,12 @@ import { fixed, table } from './text.js';
 /** How many points the table shows. */
 const SHOWN = 20;
 
-const OPTIONS = [path('mask', 'FILE', `${MASK}.`), ...groupOptions('points', 'multiscale'), JSON_FLAG];
+/** The operators of the paper, where none is named; what matching chooses by itself is many scales. */
+const STRATEGY = /** @type {const} */ ('moments');
+const OPERATOR = String(resolved({ matching: { strategy: STRATEGY } }).points.operator);
+
+const SETTING_OPTIONS = groupOptions('points', 'multiscale').map((option) => (option.key === 'points.operator' ? { ...option, fallback: OPERATOR } : option));
+const OPTIONS = [path('mask', 'FILE', `${MASK}.`), ...SETTING_OPTIONS, JSON_FLAG];
 
 /** @type {import('./args.js').Command} */
 export const points = {
@@ -22,8 +28,8 @@ export const points = {
   details:
     'JSON: width, height, threshold, counts (candidates, after_roundness, after_suppression) and points, each [x, y, value] in px; frames, each [scale in px, direction in rad], for points of many scales.',
   run({ positionals: [image = ''], values }) {
-    // The operators of the paper, where none is named; what matching chooses by itself is many scales.
-    const settings = { ...settingsOf(OPTIONS, values, defaults()), matching: { ...defaults().matching, strategy: /** @type {const} */ ('moments') } };
+    const settings = { ...settingsOf(OPTIONS, values, defaults()), matching: { ...defaults().matching, strategy: STRATEGY } };
+    noteNotActing(SETTING_OPTIONS, values, settings, `operator ${resolved(settings).points.operator}`);
     const progress = new Progress({ steps: 2 });
     const photo = progress.step('reading', () => readPhoto(image));
     const file = values.get('mask');

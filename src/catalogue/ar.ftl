@@ -40,6 +40,13 @@ json-fault-text =
        *[other] {" "}في السطر { $line } والعمود { $column }
     }
 
+json-kind-null = null
+json-kind-boolean = نعم أو لا
+json-kind-number = عدد
+json-kind-text = نص
+json-kind-list = قائمة
+json-kind-object = كائن
+
 allowed-integer =
     { $odd ->
         [true] أعداد صحيحة فردية
@@ -48,6 +55,7 @@ allowed-integer =
 allowed-real = من { $min } إلى { $max }
 allowed-flag = نعم أو لا
 allowed-text = نص
+allowed-object = كائن من الخيارات
 allowed-words = { $words }
 allowed-two-numbers =
     { $px ->
@@ -986,6 +994,11 @@ placing-verdict-placed = وُضعت بعدد { $links } من النقاط، σ0 
 placing-verdict-weak = وُضعت مع شك بعدد { $links } من النقاط. { $placing_weakness }
 placing-verdict-not-placed = لم توضع: { $not_placed }.
 
+error-wrong-type =
+    { $document }: { $field ->
+        [none] {""}
+       *[other] { $field }:{" "}
+    }أُعطي { $json_kind }؛ المسموح: { $allowed }
 error-invalid-argument = { $what }: القيمة المعطاة { $got }؛ المسموح: { $wanted }
 refusal-value = { $input }: أُعطي { $value } في { $location }؛ المسموح: من { $low } إلى { $high }
 refusal-parameter = { $input }: أُعطي { $value } في { $field } من { $location }؛ المسموح: من { $low } إلى { $high }

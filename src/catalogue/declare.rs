@@ -65,10 +65,19 @@ macro_rules! options {
                 named: options!(@or $($named)?),
             },)+)+];
 
+            /// The parameters as the one group of an object that holds them alone.
+            pub const GROUPS: &'static [$crate::Group] = &[$crate::Group { path: "", parameters: Self::PARAMETERS }];
+
             /// Rejects values outside their ranges.
             pub(crate) fn check_ranges(&self) -> Result<(), $crate::Error> {
                 let numbers = [$($($crate::catalogue::OptionValue::number(&self.$field),)+)+];
                 Self::PARAMETERS.iter().zip(numbers).try_for_each(|(p, number)| number.map_or(Ok(()), |number| p.check(number)))
+            }
+        }
+
+        impl $crate::catalogue::PartlyGiven for $name {
+            fn check_given(given: &serde_json::Value, document: &$crate::Document) -> Result<(), $crate::Error> {
+                $crate::catalogue::check_groups(Self::GROUPS, given, document)
             }
         }
     };

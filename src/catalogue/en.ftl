@@ -11,6 +11,11 @@ error-invalid-option =
        *[other] { $got }
     }; allowed: { $allowed }
 error-invalid-json = { $document }: { $json_fault }
+error-wrong-type =
+    { $document }: { $field ->
+        [none] {""}
+       *[other] { $field }:{" "}
+    }got { $json_kind }; allowed: { $allowed }
 error-invalid-argument = { $what }: got { $got }; allowed: { $wanted }
 error-invalid-input = { $refusal }
 error-unreadable-image = the image cannot be read: { $image_fault }
@@ -44,6 +49,13 @@ json-fault-text =
        *[other] {" "}at line { $line } column { $column }
     }
 
+json-kind-null = null
+json-kind-boolean = true or false
+json-kind-number = a number
+json-kind-text = a text
+json-kind-list = a list
+json-kind-object = an object
+
 # What an option allows. It follows `allowed: `, and stands in the help of the command.
 allowed-integer =
     { $odd ->
@@ -53,6 +65,7 @@ allowed-integer =
 allowed-real = { $min } to { $max }
 allowed-flag = yes or no
 allowed-text = text
+allowed-object = an object of options
 allowed-words = { $words }
 allowed-two-numbers =
     { $px ->

@@ -12,14 +12,14 @@ mod value;
 
 pub use acting::acting;
 pub use call::CALL_PARAMETERS;
-pub use given::with_defaults;
-pub use parameter::{Parameter, ParameterKind};
+pub use given::{PartlyGiven, with_defaults};
+pub use parameter::{Group, Parameter, ParameterKind};
 
 pub(crate) use call::{FOCAL_PX, LENGTH, SIGMA_PX, check_call};
 #[cfg_attr(not(target_arch = "wasm32"), allow(unused_imports))]
 pub(crate) use check::shown;
 pub(crate) use check::{check_values, refuse, refuse_absent};
 pub(crate) use declare::{choices, options};
-pub(crate) use given::read_options;
+pub(crate) use given::{NO_OPTIONS, check_groups, read_options};
 pub(crate) use parameter::check;
 pub(crate) use value::{Form, OptionValue, kind};

@@ -21,10 +21,25 @@ pub enum ParameterKind {
     Text,
 }
 
+/// Options that stand in one object.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Group {
+    /// Where it stands in the whole, as `features.multiscale`; empty for the whole itself.
+    pub path: &'static str,
+    pub parameters: &'static [Parameter],
+}
+
+impl Group {
+    /// Where a parameter of the group stands in the whole, as `features.multiscale.number`.
+    pub fn path_of(&self, parameter: &Parameter) -> String {
+        if self.path.is_empty() { parameter.field().into() } else { format!("{}.{}", self.path, parameter.field()) }
+    }
+}
+
 /// One option.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Parameter {
-    /// Its place in the settings, as [`PairSettings`](crate::PairSettings): `group.field`.
+    /// What messages call it, `group.field`; where it stands in an object, [`Group::path_of`] says.
     pub key: &'static str,
     /// The heading under which it stands.
     pub section: &'static str,
@@ -55,6 +70,21 @@ impl Parameter {
         }
     }
 
+    /// The name of its field.
+    pub fn field(&self) -> &'static str {
+        self.key.rsplit_once('.').map_or(self.key, |(_, field)| field)
+    }
+
+    /// Whether it may be absent where all others are given.
+    pub(crate) fn is_optional(&self) -> bool {
+        !self.absent.is_empty()
+    }
+
+    /// The error of a value that it does not allow.
+    pub(crate) fn refused(&self, got: impl ToString) -> Error {
+        refuse(self.key, got, self.allowed())
+    }
+
     /// Rejects a number outside the range.
     pub(crate) fn check(&self, value: f64) -> Result<(), Error> {
         let within = match self.kind {
@@ -64,7 +94,7 @@ impl Parameter {
             ParameterKind::Real { min, max } => value >= min && value <= max,
             ParameterKind::Choice { .. } | ParameterKind::Flag | ParameterKind::Text => true,
         };
-        if within { Ok(()) } else { Err(refuse(self.key, value, self.allowed())) }
+        if within { Ok(()) } else { Err(self.refused(value)) }
     }
 }
 

@@ -14,6 +14,8 @@ messages! {
         Real { min: f64, max: f64 },
         Flag,
         Text,
+        /// Options by their names.
+        Object,
         /// One of these words, with commas between; or what a project of a former version says in words.
         Words { words: String },
         // Numbers.

@@ -8,7 +8,7 @@ mod input;
 mod refusal;
 mod subject;
 
-use crate::json::{Constant, JsonFault, constant};
+use crate::json::{Constant, JsonFault, JsonKind, constant};
 use crate::message::messages;
 use serde::{Deserialize, Serialize};
 
@@ -30,6 +30,8 @@ messages! {
         InvalidOption { #[serde(deserialize_with = "constant")] field: Constant, got: Option<String>, allowed: Allowed },
         /// Options or a camera that are not the JSON object they should be.
         InvalidJson { document: Document, json_fault: JsonFault },
+        /// Options, or one of them by its place, of another type; `field`: none for all of them.
+        WrongType { document: Document, field: Option<String>, json_kind: JsonKind, allowed: Allowed },
         /// Array lengths or coordinates that do not fit together.
         InvalidInput { refusal: Refusal },
         /// Values from JavaScript that are not the arrays and objects that a function of the module takes, in words.
@@ -91,7 +93,7 @@ impl Error {
     pub fn code(&self) -> &'static str {
         match self {
             Error::InvalidOption { .. } => "invalid-option",
-            Error::InvalidJson { .. } => "invalid-json",
+            Error::InvalidJson { .. } | Error::WrongType { .. } => "invalid-json",
             Error::InvalidInput { .. } | Error::InvalidArgument { .. } | Error::NotExportable { .. } => "invalid-input",
             Error::UnreadableImage { .. } => "unreadable-image",
             Error::UnsupportedImage { .. } => "unsupported-image",
@@ -111,7 +113,7 @@ impl Error {
 
     /// Whether the caller's options are at fault rather than the data: a command exits with 2 for these, with 1 for the rest.
     pub fn is_usage(&self) -> bool {
-        matches!(self, Error::InvalidOption { .. } | Error::InvalidJson { .. })
+        matches!(self, Error::InvalidOption { .. } | Error::InvalidJson { .. } | Error::WrongType { .. })
     }
 }
 

@@ -1,10 +1,12 @@
 //! What stands beside a raster that does not say it itself.
 
 use super::geotiff::{SaidSystem, refuse_degrees};
-use crate::Error;
+use crate::catalogue::{NO_OPTIONS, check_groups};
 use crate::crs::{Definition, HeightReference};
 use crate::text::shorten;
+use crate::{Document, Error, PartlyGiven};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 /// The texts of files beside a raster, which say what it does not say itself.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -15,6 +17,12 @@ pub struct Sidecars {
     pub world_file: Option<String>,
     /// Of a file `.prj`: its coordinate reference system as WKT.
     pub projection: Option<String>,
+}
+
+impl PartlyGiven for Sidecars {
+    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
+        check_groups(NO_OPTIONS, given, document)
+    }
 }
 
 impl From<Option<&str>> for Sidecars {

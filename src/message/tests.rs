@@ -2,7 +2,7 @@
 
 use super::texts::NESTED;
 use super::{Message, Texts};
-use crate::json::JsonFault;
+use crate::json::{JsonFault, JsonKind};
 use crate::{
     Allowed, Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, ControlApart, Damage, Degeneracy,
     DescribedBy, Document, Element, Error, Failure, Few, FileFault, FileKind, FilePlace, ImageFault, ImageOperation, ImageReason, Input,
@@ -70,6 +70,7 @@ fn families() -> Vec<Family> {
         family::<ImageFault>(),
         family::<ImageOperation>(),
         family::<JsonFault>(),
+        family::<JsonKind>(),
         family::<ImageReason>(),
         family::<Interruption>(),
         family::<LengthUnit>(),

@@ -35,6 +35,7 @@ pub(super) const NESTED: [&str; 44] = [
     "input",
     "interruption",
     "json_fault",
+    "json_kind",
     "location",
     "mistake",
     "no_geometry",

@@ -55,7 +55,7 @@ options! {
         /// The start of the random numbers of the consensus: the same seed gives the same result.
         seed: u32 = 1, "Seed", 0..=4294967295.0, acts "orientation.robust is true";
 
-        /// The length b of the base at photo scale, by which by and bz grow in proportion.
+        /// The length b of the base at photo scale, not 0, by which by and bz grow in proportion.
         base_mm: Option<f64> = None, "Photo base", in "mm", -1e6..=1e6, absent "the median x-parallax of the matches";
     }
 }

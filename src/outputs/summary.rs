@@ -138,6 +138,7 @@ pub struct RefinementCounts {
     pub references: usize,
     pub refined: usize,
     /// Those that keep their positions, by the reason.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<Exclude<RefinementOutcome, \"reference\" | \"refined\">, number>"))]
     pub kept: BTreeMap<RefinementOutcome, usize>,
 }
 
@@ -182,8 +183,9 @@ pub struct ModelSummary {
     pub position_rmse_m: Option<[f64; 3]>,
     /// How large errors are beside the stated standard errors, by the residuals.
     pub components: Vec<ComponentSummary>,
-    /// Systematic errors of GNSS positions that were to be estimated.
+    /// Systematic errors of GNSS positions that were to be estimated; absent where none was.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub systematic: Vec<SystematicSummary>,
     /// Absent without check points.
     pub checks: Option<CheckSummary>,
@@ -206,8 +208,9 @@ pub struct ComponentSummary {
 pub struct SystematicSummary {
     /// In words.
     pub name: String,
-    /// The images of its strip, from the first to the last; empty where it is that of no strip.
+    /// The images of its strip, from the first to the last; absent where it is that of no strip.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub images: Vec<String>,
     #[serde(flatten)]
     pub statistics: SystematicStatistics,

@@ -1,7 +1,9 @@
 //! What is known of a pair before it is matched.
 
-use crate::{CameraMm, ExifCamera, Fiducial, FiducialModel, GreyView};
+use crate::catalogue::{NO_OPTIONS, check_groups};
+use crate::{CameraMm, Document, Error, ExifCamera, Fiducial, FiducialModel, GreyView, PartlyGiven};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 /// What is known of one image of a pair.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -26,6 +28,12 @@ pub struct PairInput {
     pub right: PhotoInput,
     /// Right minus left position `[dx, dy]` in px; absent: estimated.
     pub offset: Option<[f64; 2]>,
+}
+
+impl PartlyGiven for PairInput {
+    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
+        check_groups(NO_OPTIONS, given, document)
+    }
 }
 
 /// An image with the camera that its file names.

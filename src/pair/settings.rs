@@ -1,10 +1,12 @@
 //! The options of all stages of a pair.
 
+use crate::catalogue::check_groups;
 use crate::{
-    GradientOptions, MatchOptions, MultiscaleOptions, Operator, OrientationOptions, Parameter, PointOptions, Strategy, TwoViewOptions,
-    WindowOptions,
+    Document, Error, GradientOptions, Group, MatchOptions, MultiscaleOptions, Operator, OrientationOptions, Parameter, PartlyGiven,
+    PointOptions, Strategy, TwoViewOptions, WindowOptions,
 };
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 /// The options of all stages.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -24,21 +26,28 @@ pub struct PairSettings {
     pub orientation: OrientationOptions,
 }
 
+impl PartlyGiven for PairSettings {
+    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
+        check_groups(Self::GROUPS, given, document)
+    }
+}
+
 impl PairSettings {
     /// All parameters, in the order of the pipeline.
     pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
-        [
-            PointOptions::PARAMETERS,
-            MultiscaleOptions::PARAMETERS,
-            WindowOptions::PARAMETERS,
-            GradientOptions::PARAMETERS,
-            MatchOptions::PARAMETERS,
-            TwoViewOptions::PARAMETERS,
-            OrientationOptions::PARAMETERS,
-        ]
-        .into_iter()
-        .flatten()
+        Self::GROUPS.iter().flat_map(|group| group.parameters)
     }
+
+    /// The same by where they stand.
+    pub const GROUPS: &'static [Group] = &[
+        Group { path: "points", parameters: PointOptions::PARAMETERS },
+        Group { path: "multiscale", parameters: MultiscaleOptions::PARAMETERS },
+        Group { path: "window", parameters: WindowOptions::PARAMETERS },
+        Group { path: "gradient", parameters: GradientOptions::PARAMETERS },
+        Group { path: "matching", parameters: MatchOptions::PARAMETERS },
+        Group { path: "geometry", parameters: TwoViewOptions::PARAMETERS },
+        Group { path: "orientation", parameters: OrientationOptions::PARAMETERS },
+    ];
 
     /// The settings with every option that follows from the others: the strategy that is to be chosen and its refinement, the operator of the
     /// strategy, its roundness and window, the ambiguity ratio. What follows from the images stays absent. Everything that takes settings

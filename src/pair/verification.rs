@@ -3,14 +3,16 @@
 
 use super::frames::CommonFrame;
 use super::geometry::PairInterior;
+use crate::catalogue::check_groups;
 use crate::error::refuse;
 use crate::matching::{square_distance_of, within_parallax_gradient};
 use crate::two_view::two_view_from;
 use crate::{
-    DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Input, Interior, Located, NearestOptions, NoGeometry, Pinhole, Refusal,
-    TwoView, TwoViewModel, TwoViewOptions, guided_matches, nearest_matches, two_view,
+    DESCRIPTOR_BYTES, DescriptorMatch, Document, Error, Group, Guide, GuidedOptions, Input, Interior, Located, NearestOptions, NoGeometry,
+    PartlyGiven, Pinhole, Refusal, TwoView, TwoViewModel, TwoViewOptions, guided_matches, nearest_matches, two_view,
 };
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 /// Candidates lie within this many thresholds of the geometry: those beyond one tell how many wrong ones are within.
 const REACH: f64 = 3.0;
@@ -37,6 +39,16 @@ pub struct FeatureMatchOptions {
     pub sizes: Option<[[usize; 2]; 2]>,
     /// What is known of the cameras, and the search for what relates the views.
     pub geometry: TwoViewOptions,
+}
+
+impl PartlyGiven for FeatureMatchOptions {
+    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
+        const GROUPS: &[Group] = &[
+            Group { path: "nearest", parameters: NearestOptions::PARAMETERS },
+            Group { path: "geometry", parameters: TwoViewOptions::PARAMETERS },
+        ];
+        check_groups(GROUPS, given, document)
+    }
 }
 
 /// What is left of the matches of two images once their geometry is known, with those it added.

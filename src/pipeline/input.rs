@@ -4,11 +4,12 @@ use super::cameras::CameraRules;
 use super::control::ControlTables;
 use super::masks::masks_of;
 use super::positions::{GivenPosition, PositionTable};
-use crate::catalogue::read_options;
+use crate::catalogue::{NO_OPTIONS, check_groups, read_options};
 use crate::crs::{Geoid, HeightZero};
 use crate::error::refuse;
-use crate::{BlockSettings, Error, Refusal};
+use crate::{BlockSettings, Document, Error, PartlyGiven, Refusal};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -38,6 +39,14 @@ pub struct RunInput {
     /// Whether an orthophoto is to place the block afterwards: then one or two control points, and check points alone, are of use.
     #[serde(skip_serializing_if = "is_false")]
     pub on_orthophoto: bool,
+}
+
+impl PartlyGiven for RunInput {
+    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
+        const FIELD: &str = "settings";
+        check_groups(NO_OPTIONS, given, document)?;
+        given.get(FIELD).map_or(Ok(()), |settings| BlockSettings::check_given(settings, &Document::Named { name: FIELD.into() }))
+    }
 }
 
 fn is_false(value: &bool) -> bool {

@@ -4,9 +4,12 @@ use super::{
     BlockOptions, ChosenPair, GeoreferencingOptions, PairRule, RefinementOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs,
     near_pairs, sequence_pairs,
 };
-use crate::catalogue::options;
-use crate::{Error, FeatureOptions, GradientOptions, MultiscaleOptions, NearestOptions, Parameter, TwoViewOptions};
+use crate::catalogue::{check_groups, options};
+use crate::{
+    Document, Error, FeatureOptions, GradientOptions, Group, MultiscaleOptions, NearestOptions, Parameter, PartlyGiven, TwoViewOptions,
+};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 options! {
     /// Which pairs of a block are tried, and what connects them.
@@ -109,23 +112,30 @@ impl Default for BlockSettings {
     }
 }
 
+impl PartlyGiven for BlockSettings {
+    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
+        check_groups(Self::GROUPS, given, document)
+    }
+}
+
 impl BlockSettings {
     /// All parameters, in the order of the pipeline.
     pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
-        [
-            PairChoice::PARAMETERS,
-            MultiscaleOptions::PARAMETERS,
-            GradientOptions::PARAMETERS,
-            NearestOptions::PARAMETERS,
-            TwoViewOptions::PARAMETERS,
-            BlockOptions::PARAMETERS,
-            SelectOptions::PARAMETERS,
-            RefinementOptions::PARAMETERS,
-            GeoreferencingOptions::PARAMETERS,
-        ]
-        .into_iter()
-        .flatten()
+        Self::GROUPS.iter().flat_map(|group| group.parameters)
     }
+
+    /// The same by where they stand.
+    pub const GROUPS: &'static [Group] = &[
+        Group { path: "pairs", parameters: PairChoice::PARAMETERS },
+        Group { path: "features.multiscale", parameters: MultiscaleOptions::PARAMETERS },
+        Group { path: "features.gradient", parameters: GradientOptions::PARAMETERS },
+        Group { path: "nearest", parameters: NearestOptions::PARAMETERS },
+        Group { path: "geometry", parameters: TwoViewOptions::PARAMETERS },
+        Group { path: "block", parameters: BlockOptions::PARAMETERS },
+        Group { path: "selection", parameters: SelectOptions::PARAMETERS },
+        Group { path: "refinement", parameters: RefinementOptions::PARAMETERS },
+        Group { path: "placing", parameters: GeoreferencingOptions::PARAMETERS },
+    ];
 
     /// Rejects values outside their ranges, and a coordinate system that cannot be read.
     ///

@@ -1,7 +1,8 @@
 //! What the module says of itself: version, defaults, parameters.
 
 use super::convert::{JsResult, pack, read, read_options};
-use crate::{CALL_PARAMETERS, PairHint, PairPreset, PairSettings, PairVerdict, acting};
+use crate::{CALL_PARAMETERS, Group, PairHint, PairPreset, PairSettings, PairVerdict, Parameter, acting};
+use serde::Serialize;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -10,9 +11,12 @@ const TYPES: &str = r#"
 /** Options of which any may be absent: these take their defaults. */
 export type Given<T> = T extends unknown[] ? T : T extends object ? { [K in keyof T]?: Given<T[K]> } : T;
 
-/** One option: `key` is its place in the settings, as "points.threshold". */
+/** One option, or a value of a call. */
 export type Parameter = {
+    /** What messages call it, as "multiscale.number". */
     key: string;
+    /** Where it stands in the object of options, as "features.multiscale.number" of a block; of a value of a call the name of the argument. */
+    path: string;
     /** The heading under which it stands. */
     section: string;
     label: string;
@@ -90,13 +94,30 @@ pub fn resolved(#[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] se
 /// Every option of a pair, in the order of the pipeline.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn parameters() -> JsValue {
-    pack(&PairSettings::parameters().collect::<Vec<_>>())
+    pack_groups(PairSettings::GROUPS)
 }
 
 /// What calls are given beside settings, by the names of their arguments.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn call_parameters() -> JsValue {
-    pack(&CALL_PARAMETERS)
+    pack_groups(&[Group { path: "", parameters: CALL_PARAMETERS }])
+}
+
+/// The parameters of groups with their places in the whole.
+pub fn pack_groups(groups: &[Group]) -> JsValue {
+    let of_group = |group: &Group| group.parameters.iter().map(|parameter| (group.path_of(parameter), *parameter)).collect::<Vec<_>>();
+    pack_parameters(groups.iter().flat_map(of_group))
+}
+
+/// Parameters with their places in an object.
+pub fn pack_parameters(all: impl IntoIterator<Item = (String, Parameter)>) -> JsValue {
+    #[derive(Serialize)]
+    struct Placed {
+        path: String,
+        #[serde(flatten)]
+        parameter: Parameter,
+    }
+    pack(&all.into_iter().map(|(path, parameter)| Placed { path, parameter }).collect::<Vec<_>>())
 }
 
 /// What else would do for a pair of this verdict and these settings; null where nothing is known to.

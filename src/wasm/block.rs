@@ -1,5 +1,6 @@
 //! What a block is set by, and where its images are.
 
+use super::about::pack_groups;
 use super::convert::{JsResult, Numbers, pack, read_options, rows, thrown};
 use crate::{BlockSettings, acting, local_from_geographic};
 use js_sys::Float64Array;
@@ -9,7 +10,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// Every option of a block, in the order of the pipeline.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn block_parameters() -> JsValue {
-    pack(&BlockSettings::parameters().collect::<Vec<_>>())
+    pack_groups(BlockSettings::GROUPS)
 }
 
 /// The keys of the options of a block that have an effect with these settings.

@@ -1,6 +1,6 @@
 //! Files of a block: what EXIF tells, cameras and surveyed points in, the names of the exchange formats.
 
-use super::convert::{Bytes, JsResult, Text, TextList, pack, read, side, thrown};
+use super::convert::{Bytes, JsResult, Number, Text, TextList, pack, read, side, thrown};
 use crate::{
     Connection, ConnectionGraph, Error, ExifImage, ExportFormat, measurements_of_images, parse_camera_rules as read_rules,
     parse_ground_control_points as read_points, parse_image_measurements as read_marks, parse_image_positions as read_positions,
@@ -10,7 +10,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 /// What EXIF tells of an image of this size beside its pixels.
 #[wasm_bindgen(unchecked_return_type = "ExifImage")]
-pub fn read_exif(file: &Bytes, width: f64, height: f64) -> JsResult<JsValue> {
+pub fn read_exif(file: &Bytes, width: &Number, height: &Number) -> JsResult<JsValue> {
     let (width, height) = (side("width", width)?, side("height", height)?);
     Ok(pack(&ExifImage::read(&file.read("file of the image")?, u64::from(width), u64::from(height))))
 }
@@ -53,7 +53,10 @@ const MOST_IMAGES: u32 = 10_000_000;
 
 /// The groups of connected images of a block, the largest first.
 #[wasm_bindgen(unchecked_return_type = "number[][]")]
-pub fn connected_groups(images: f64, #[wasm_bindgen(unchecked_param_type = "Connection[]")] connections: &JsValue) -> JsResult<JsValue> {
+pub fn connected_groups(
+    images: &Number,
+    #[wasm_bindgen(unchecked_param_type = "Connection[]")] connections: &JsValue,
+) -> JsResult<JsValue> {
     let (images, connections): (u32, Vec<Connection>) = (side("number of images", images)?, read("connections", connections)?);
     if images > MOST_IMAGES {
         let (got, allowed) = (images.to_string(), format!("0 to {MOST_IMAGES}"));

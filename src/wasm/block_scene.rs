@@ -1,6 +1,7 @@
 //! Simulated photos of a block, one at a time, and the score of what is made of them.
 
-use super::convert::{JsResult, Numbers, numbers, object, pack, read, read_options, rows, thrown, whole};
+use super::about::pack_parameters;
+use super::convert::{JsResult, Number, Numbers, numbers, object, pack, read, read_options, rows, thrown, whole};
 use crate::{BlockFlight, BlockModel, BlockPreset, BlockScene as Scene, score_block as score_by_truth};
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
@@ -29,7 +30,7 @@ impl BlockScene {
 
     /// Takes a photo.
     #[wasm_bindgen(unchecked_return_type = "SampleImage")]
-    pub fn photo(&self, index: f64) -> JsResult<JsValue> {
+    pub fn photo(&self, index: &Number) -> JsResult<JsValue> {
         let photo = self.scene.photo(whole("index of the photo", index)?).map_err(thrown)?;
         Ok(object([
             ("width", (photo.width() as f64).into()),
@@ -39,14 +40,14 @@ impl BlockScene {
     }
 
     /// Takes a photo as a PNG file, with its camera and recorded position as EXIF.
-    pub fn photo_file(&self, index: f64) -> JsResult<Vec<u8>> {
+    pub fn photo_file(&self, index: &Number) -> JsResult<Vec<u8>> {
         self.scene.photo_file(whole("index of the photo", index)?).map_err(thrown)
     }
 
     /// The orthophoto of all that the photos show and the heights of its surface, as GeoTIFF files; `gsd_m` is the side of a pixel.
     #[wasm_bindgen(unchecked_return_type = "{ picture: Uint8Array; heights: Uint8Array }")]
-    pub fn orthophoto(&self, gsd_m: f64) -> JsResult<JsValue> {
-        let [picture, heights] = self.scene.orthophoto(gsd_m).and_then(|orthophoto| orthophoto.files()).map_err(thrown)?;
+    pub fn orthophoto(&self, gsd_m: &Number) -> JsResult<JsValue> {
+        let [picture, heights] = self.scene.orthophoto(gsd_m.read("gsd_m")?).and_then(|orthophoto| orthophoto.files()).map_err(thrown)?;
         let bytes = |file: Vec<u8>| Uint8Array::from(file.as_slice()).into();
         Ok(object([("picture", bytes(picture)), ("heights", bytes(heights))]))
     }
@@ -58,7 +59,7 @@ impl BlockScene {
     }
 
     /// Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
-    pub fn surface_at(&self, index: f64, positions: &Numbers) -> JsResult<js_sys::Float64Array> {
+    pub fn surface_at(&self, index: &Number, positions: &Numbers) -> JsResult<js_sys::Float64Array> {
         let (index, positions) = (whole("index of the photo", index)?, positions.read("positions")?);
         let places = self.scene.surface_at(index, rows::<2>("positions", &positions)?).map_err(thrown)?;
         Ok(numbers(places.into_iter().flatten()).into())
@@ -78,7 +79,7 @@ pub fn score_block(
 /// Every parameter of a block's flight on which photos depend.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn block_flight_parameters() -> JsValue {
-    pack(&BlockFlight::photo_parameters().collect::<Vec<_>>())
+    pack_parameters(BlockFlight::photo_parameters().map(|parameter| (parameter.field().into(), *parameter)))
 }
 
 /// A ready-made flight of a block.

@@ -2,7 +2,7 @@
 
 use crate::catalogue::shown;
 use crate::json::{self, JsonFault};
-use crate::{Document, Error, FileFault, FilePlace, InterestPoint, with_defaults};
+use crate::{Document, Error, FileFault, FilePlace, InterestPoint, PartlyGiven, with_defaults};
 use js_sys::{Array, Float32Array, Float64Array, Function, JSON, Object, Reflect, Symbol, Uint8Array};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -29,13 +29,19 @@ pub fn read<T: DeserializeOwned>(what: &'static str, value: &JsValue) -> JsResul
 }
 
 /// Reads options: the fields that are given, the others from the defaults.
-pub fn read_options<T: DeserializeOwned + Serialize + Default>(what: &'static str, value: &JsValue) -> JsResult<T> {
-    parsed(value).and_then(with_defaults).map_err(|fault| refused(what, fault))
+pub fn read_options<T: PartlyGiven>(what: &'static str, value: &JsValue) -> JsResult<T> {
+    checked(what, parsed(value).map_err(|fault| refused(what, fault))?)
 }
 
 /// Options inside an object that was read: absent where they are.
-pub fn options_inside<T: DeserializeOwned + Serialize + Default>(what: &'static str, value: Option<Value>) -> JsResult<Option<T>> {
-    value.map(with_defaults).transpose().map_err(|fault| refused(what, fault))
+pub fn options_inside<T: PartlyGiven>(what: &'static str, value: Option<Value>) -> JsResult<Option<T>> {
+    value.map(|value| checked(what, value)).transpose()
+}
+
+/// What is declared of options says what is allowed of them; the reader, what else is wrong.
+fn checked<T: PartlyGiven>(what: &'static str, given: Value) -> JsResult<T> {
+    T::check_given(&given, &Document::Named { name: what.into() }).map_err(thrown)?;
+    with_defaults(given).map_err(|fault| refused(what, fault))
 }
 
 /// The JSON form of a value: null where it has none, as `undefined`. A number that JSON has not, which would become null and so read as
@@ -123,6 +129,11 @@ extern "C" {
     #[derive(Clone)]
     pub type TextList;
 
+    /// A number of JavaScript. What arrives as `f64` would be made of anything: of the text of a number, or of null, which is 0.
+    #[wasm_bindgen(typescript_type = "number")]
+    #[derive(Clone)]
+    pub type Number;
+
     /// Many numbers of JavaScript. What arrives as a slice would be made of anything, as bytes would.
     #[wasm_bindgen(typescript_type = "Float64Array | readonly number[]")]
     #[derive(Clone)]
@@ -133,6 +144,13 @@ impl Text {
     /// A copy of it. `what`: what it is.
     pub fn read(&self, what: &'static str) -> JsResult<String> {
         self.as_string().ok_or_else(|| wrong(what, kind_of(self), "a string"))
+    }
+}
+
+impl Number {
+    /// It. `what`: what it is.
+    pub fn read(&self, what: &'static str) -> JsResult<f64> {
+        self.as_f64().ok_or_else(|| wrong(what, kind_of(self), "a number"))
     }
 }
 
@@ -203,12 +221,13 @@ pub fn kind_of(value: &JsValue) -> String {
 }
 
 /// A whole number from 0 on, an index or a count. What is none would arrive as another one, as NaN as 0.
-pub fn whole(what: &'static str, value: f64) -> JsResult<usize> {
+pub fn whole(what: &'static str, value: &Number) -> JsResult<usize> {
     side(what, value).map(|whole| whole as usize)
 }
 
 /// The same, of the side of an image.
-pub fn side(what: &'static str, value: f64) -> JsResult<u32> {
+pub fn side(what: &'static str, value: &Number) -> JsResult<u32> {
+    let value = value.read(what)?;
     if value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value) {
         return Ok(value as u32);
     }

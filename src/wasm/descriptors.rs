@@ -1,6 +1,6 @@
 //! Matches of byte descriptors.
 
-use super::convert::{Bytes, JsResult, kind_of, object, read_options, thrown, whole, wrong};
+use super::convert::{Bytes, JsResult, Number, kind_of, object, read_options, thrown, whole, wrong};
 use crate::{DescriptorMatch, Error, NearestOptions, NearestTable, nearest_matches, nearest_of};
 use js_sys::{Array, Reflect, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -43,7 +43,7 @@ pub fn match_descriptors(
 /// The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest` and
 /// `match_photos`.
 #[wasm_bindgen(unchecked_return_type = "NearestPiece")]
-pub fn nearest_piece(left: &Bytes, first: f64, end: f64, right: &Bytes) -> JsResult<JsValue> {
+pub fn nearest_piece(left: &Bytes, first: &Number, end: &Number, right: &Bytes) -> JsResult<JsValue> {
     let (left, right) = (left.read("left descriptors")?, right.read("right descriptors")?);
     let table = nearest_of(&left, whole("first", first)?..whole("end", end)?, &right).map_err(thrown)?;
     Ok(object([

@@ -1,6 +1,6 @@
 //! A finished block in wasm memory: what it writes and shows.
 
-use super::convert::{Bytes, JsResult, emitting, numbers, object, pack, read, set, thrown, whole, wrong_project};
+use super::convert::{Bytes, JsResult, Number, emitting, numbers, object, pack, read, set, thrown, whole, wrong_project};
 use crate::{
     BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockPlaces, BlockRun, BlockScore, ExportFormat, FileFault, ImagePoint,
     ObservationPart, PointColumns, Project, accuracy_map, block_covariances, block_epipolar_line, check_truth, covariance_table,
@@ -162,13 +162,13 @@ impl FinishedBlock {
 
     /// All that is known of a point of the model that is written.
     #[wasm_bindgen(unchecked_return_type = "PointDetail")]
-    pub fn point(&self, point: f64) -> JsResult<JsValue> {
+    pub fn point(&self, point: &Number) -> JsResult<JsValue> {
         point_detail(&self.run, whole("index of the point", point)?).map(|detail| pack(&detail)).map_err(thrown)
     }
 
     /// The observations of an image.
     #[wasm_bindgen(unchecked_return_type = "ImagePoints")]
-    pub fn image_points(&self, image: f64) -> JsResult<JsValue> {
+    pub fn image_points(&self, image: &Number) -> JsResult<JsValue> {
         let found = image_points(&self.run, whole("index of the image", image)?).map_err(thrown)?;
         let points: Vec<u32> = found.iter().map(|seen| seen.point as u32).collect();
         let parts: Vec<u8> = found.iter().map(|seen| part_code(seen.part)).collect();
@@ -186,9 +186,10 @@ impl FinishedBlock {
     }
 
     /// The epipolar line of a place of one image in another one: x, y in px, stride 2, as far as that shows it, from near to far.
-    pub fn epipolar_line(&self, from: f64, x_px: f64, y_px: f64, to: f64) -> JsResult<Vec<f64>> {
+    pub fn epipolar_line(&self, from: &Number, x_px: &Number, y_px: &Number, to: &Number) -> JsResult<Vec<f64>> {
         let (from, to) = (whole("index of the image", from)?, whole("index of the other image", to)?);
-        block_epipolar_line(&self.run, from, [x_px, y_px], to).map(|line| line.into_iter().flatten().collect()).map_err(thrown)
+        let at = [x_px.read("x_px")?, y_px.read("y_px")?];
+        block_epipolar_line(&self.run, from, at, to).map(|line| line.into_iter().flatten().collect()).map_err(thrown)
     }
 
     /// The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard
@@ -201,8 +202,9 @@ impl FinishedBlock {
     /// A map of the standard errors that are expected of points that would be measured in the block. `cell`: the side of a cell, in units of the block;
     /// `sigma_px`: the standard error of an image coordinate. Absent: an eightieth of the longer side; σ₀ of the block.
     #[wasm_bindgen(unchecked_return_type = "AccuracyFiles")]
-    pub fn accuracy(&self, cell: Option<f64>, sigma_px: Option<f64>) -> JsResult<JsValue> {
-        let map = accuracy_map(&self.run, cell, sigma_px).map_err(thrown)?;
+    pub fn accuracy(&self, cell: Option<Number>, sigma_px: Option<Number>) -> JsResult<JsValue> {
+        let read = |what, number: Option<Number>| number.map(|number| number.read(what)).transpose();
+        let map = accuracy_map(&self.run, read("cell", cell)?, read("sigma_px", sigma_px)?).map_err(thrown)?;
         let [plan, height, images] = map.rasters().map_err(thrown)?.map(|file| JsValue::from(Uint8Array::from(file.as_slice())));
         let (table, summary) = (map.table().into(), pack(&map.summary()));
         Ok(object([("plan", plan), ("height", height), ("images", images), ("table", table), ("summary", summary)]))

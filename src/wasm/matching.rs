@@ -1,6 +1,6 @@
 //! Offsets and matches between two sets of points.
 
-use super::convert::{Bytes, JsResult, Numbers, numbers, object, pack, points, read, read_options, rows, set, thrown, whole};
+use super::convert::{Bytes, JsResult, Number, Numbers, numbers, object, pack, points, read, read_options, rows, set, thrown, whole};
 use super::descriptors::read_pieces;
 use super::orientation::pack_oriented;
 use super::photo::{Photo, pack_points, read_mask};
@@ -85,8 +85,8 @@ pub fn estimate_offset(
 
 /// The same offset (right minus left position, px) everywhere.
 #[wasm_bindgen(unchecked_return_type = "OffsetField")]
-pub fn constant_offset(dx: f64, dy: f64) -> JsResult<JsValue> {
-    let field = OffsetField::constant(dx, dy);
+pub fn constant_offset(dx: &Number, dy: &Number) -> JsResult<JsValue> {
+    let field = OffsetField::constant(dx.read("dx")?, dy.read("dy")?);
     field.check().map_err(thrown)?;
     Ok(pack(&field))
 }
@@ -140,7 +140,7 @@ pub fn match_photos(
 
 /// The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.
 #[wasm_bindgen]
-pub fn gradient_candidates(index: f64, left_gradients: &Bytes, right_gradients: &Bytes, most: f64) -> JsResult<Vec<f64>> {
+pub fn gradient_candidates(index: &Number, left_gradients: &Bytes, right_gradients: &Bytes, most: &Number) -> JsResult<Vec<f64>> {
     let (left, right) = (left_gradients.read("left gradients")?, right_gradients.read("right gradients")?);
     let all = nearest_by_gradients(whole("index of the left point", index)?, &left, &right, whole("most", most)?).map_err(thrown)?;
     Ok(all.iter().flat_map(|c| [c.right as f64, c.measure]).collect())
@@ -152,25 +152,25 @@ pub fn gradient_candidates(index: f64, left_gradients: &Bytes, right_gradients: 
 #[wasm_bindgen]
 pub fn epipolar_line(
     #[wasm_bindgen(unchecked_param_type = "\"left\" | \"right\"")] from: &JsValue,
-    x: f64,
-    y: f64,
+    x: &Number,
+    y: &Number,
     #[wasm_bindgen(unchecked_param_type = "TwoViewModel")] model: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "PairInterior | null")] interior: &JsValue,
-    other_width: f64,
-    other_height: f64,
+    other_width: &Number,
+    other_height: &Number,
 ) -> JsResult<Vec<f64>> {
     let size = (whole("width of the other image", other_width)?, whole("height of the other image", other_height)?);
     let side: Side = read("from", from)?;
     let model: TwoViewModel = read("model", model)?;
     let interior: Option<PairInterior> = read("interior", interior)?;
-    let line = line_between(&model, interior.as_ref(), (side, [x, y]), size);
+    let line = line_between(&model, interior.as_ref(), (side, [x.read("x")?, y.read("y")?]), size);
     Ok(line.into_iter().flatten().collect())
 }
 
 /// The candidates of one left point, the best first: index of the right point and measure, stride 2.
 #[wasm_bindgen]
 pub fn candidates(
-    index: f64,
+    index: &Number,
     left_points: &Numbers,
     left_descriptors: &Numbers,
     right_points: &Numbers,

@@ -1,6 +1,6 @@
 //! Interior and relative orientation.
 
-use super::convert::{JsResult, Numbers, numbers, object, pack, read, read_options, rows, set, thrown, whole};
+use super::convert::{JsResult, Number, Numbers, numbers, object, pack, read, read_options, rows, set, thrown, whole};
 use crate::{
     CameraMm, Error, ExifCamera, Fiducial, FiducialModel, Fit, Interior, KnownPhoto, Match, ModelPoint, Observation, OneImage,
     OrientationOptions, PairCameras, PairInterior, PairVerdict, PhotoInput, PointStatistics, RelativeOrientation, TwoView, judged,
@@ -102,7 +102,13 @@ pub fn assumed_interior(
 /// Why matches (stride 5) between images of these sizes in px have no base: they are one photo twice, or parts of one image. Null where
 /// they are neither.
 #[wasm_bindgen(unchecked_return_type = "NoOrientation | null")]
-pub fn one_image(matches: &Numbers, left_width: f64, left_height: f64, right_width: f64, right_height: f64) -> JsResult<JsValue> {
+pub fn one_image(
+    matches: &Numbers,
+    left_width: &Number,
+    left_height: &Number,
+    right_width: &Number,
+    right_height: &Number,
+) -> JsResult<JsValue> {
     let positions = positions_of(matches)?;
     let size = |width, height| Ok::<_, JsValue>((whole("width", width)?, whole("height", height)?));
     let sizes = [size(left_width, left_height)?, size(right_width, right_height)?];
@@ -127,7 +133,8 @@ pub fn interior(
 
 /// The same rays at a focal length `factor` times as long: two photos of different focal lengths are oriented at one of them.
 #[wasm_bindgen(unchecked_return_type = "Interior")]
-pub fn scaled_interior(#[wasm_bindgen(unchecked_param_type = "Interior")] interior: &JsValue, factor: f64) -> JsResult<JsValue> {
+pub fn scaled_interior(#[wasm_bindgen(unchecked_param_type = "Interior")] interior: &JsValue, factor: &Number) -> JsResult<JsValue> {
+    let factor = factor.read("factor")?;
     if !(factor > 0.0 && factor.is_finite()) {
         let (got, wanted) = (factor.to_string(), "a number above 0".into());
         return Err(thrown(Error::InvalidArgument { what: "factor", got, wanted }));
@@ -185,12 +192,12 @@ pub fn orient_matches(
 #[wasm_bindgen(unchecked_return_type = "RelativeOrientation")]
 pub fn orient_relative(
     observations: &Numbers,
-    focal_mm: f64,
+    focal_mm: &Number,
     #[wasm_bindgen(unchecked_param_type = "Given<OrientationOptions>")] options: &JsValue,
     weights: Option<Numbers>,
 ) -> JsResult<JsValue> {
     let options: OrientationOptions = read_options("orientation", options)?;
-    orient_pair(&weighted(observations, weights)?, focal_mm, &options).map(|o| pack_orientation(&o)).map_err(thrown)
+    orient_pair(&weighted(observations, weights)?, focal_mm.read("focal_mm")?, &options).map(|o| pack_orientation(&o)).map_err(thrown)
 }
 
 /// Object points of observations (stride 4) that are oriented as `orient_relative` does: X, Y, Z, their standard errors (NaN where there are
@@ -199,15 +206,15 @@ pub fn orient_relative(
 #[wasm_bindgen]
 pub fn model_points(
     observations: &Numbers,
-    focal_mm: f64,
+    focal_mm: &Number,
     #[wasm_bindgen(unchecked_param_type = "Given<OrientationOptions>")] options: &JsValue,
-    base: f64,
+    base: &Number,
     weights: Option<Numbers>,
 ) -> JsResult<Vec<f64>> {
     let options: OrientationOptions = read_options("orientation", options)?;
     let observations = weighted(observations, weights)?;
-    let orientation = orient_pair(&observations, focal_mm, &options).map_err(thrown)?;
-    let points = points_of(&orientation, &observations, base).map_err(thrown)?;
+    let orientation = orient_pair(&observations, focal_mm.read("focal_mm")?, &options).map_err(thrown)?;
+    let points = points_of(&orientation, &observations, base.read("base")?).map_err(thrown)?;
     let row = |point: Option<ModelPoint>| {
         let Some(ModelPoint { position: [x, y, z], errors, accepted }) = point else { return [f64::NAN; 7] };
         let [sx, sy, sz] = errors.unwrap_or([f64::NAN; 3]);

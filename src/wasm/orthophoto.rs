@@ -1,7 +1,9 @@
 //! Images placed on an orthophoto.
 
+use super::about::pack_groups;
 use super::convert::{
-    Bytes, JsResult, Numbers, Text, TextList, bytes_of, object, options_inside, pack, read, read_options, thrown, whole, wrong_project,
+    Bytes, JsResult, Number, Numbers, Text, TextList, bytes_of, object, options_inside, pack, read, read_options, thrown, whole,
+    wrong_project,
 };
 use super::file_in_parts::file_source;
 use super::finished::FinishedBlock;
@@ -210,13 +212,13 @@ impl OrthophotoReference {
 
     /// Grey values of a part of the picture that was halved so many times: `width` times `height` of them from a column and row of the halved
     /// picture on, 0 where it shows nothing.
-    pub fn picture(&self, column: f64, row: f64, width: f64, height: f64, halvings: f64) -> JsResult<Vec<u8>> {
+    pub fn picture(&self, column: &Number, row: &Number, width: &Number, height: &Number, halvings: &Number) -> JsResult<Vec<u8>> {
         let (from, size, halvings) = part_of([column, row, width, height, halvings])?;
         self.orthophoto.shown(from, size, halvings).map_err(thrown)
     }
 
     /// The same in colours: red, green, blue and alpha of each pixel, alpha 0 where it shows nothing.
-    pub fn colours(&self, column: f64, row: f64, width: f64, height: f64, halvings: f64) -> JsResult<Vec<u8>> {
+    pub fn colours(&self, column: &Number, row: &Number, width: &Number, height: &Number, halvings: &Number) -> JsResult<Vec<u8>> {
         let (from, size, halvings) = part_of([column, row, width, height, halvings])?;
         self.orthophoto.colours(from, size, halvings).map_err(thrown)
     }
@@ -305,7 +307,7 @@ impl OrthophotoReference {
 }
 
 /// A part of a picture that was halved: its first column and row, its width and height, and how often.
-fn part_of([column, row, width, height, halvings]: [f64; 5]) -> JsResult<([usize; 2], [usize; 2], u32)> {
+fn part_of([column, row, width, height, halvings]: [&Number; 5]) -> JsResult<([usize; 2], [usize; 2], u32)> {
     let from = [whole("column", column)?, whole("row", row)?];
     Ok((from, [whole("width", width)?, whole("height", height)?], whole("halvings", halvings)? as u32))
 }
@@ -333,7 +335,7 @@ impl BlockOnOrthophoto {
 
     /// Places an image of the block, by its index, with the camera that the block has adjusted; null for one that is not oriented.
     #[wasm_bindgen(unchecked_return_type = "PlacingVerdict | null")]
-    pub fn place(&mut self, block: &FinishedBlock, index: f64, file: &Bytes, reference: &mut OrthophotoReference) -> JsResult<JsValue> {
+    pub fn place(&mut self, block: &FinishedBlock, index: &Number, file: &Bytes, reference: &mut OrthophotoReference) -> JsResult<JsValue> {
         let index = whole("index of the image", index)?;
         let image = decode(&file.read("file of the image")?, &DecodeLimits::default()).map_err(thrown)?.grey;
         let area = reference.taken_area()?;
@@ -430,7 +432,7 @@ pub fn image_position(#[wasm_bindgen(unchecked_param_type = "Uint8Array | FileIn
 /// Every option of placing images.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn placing_parameters() -> JsValue {
-    pack(&PlacingOptions::PARAMETERS)
+    pack_groups(PlacingOptions::GROUPS)
 }
 
 /// Their defaults.
@@ -486,7 +488,7 @@ impl OrthoMosaic {
         project: &Bytes,
         #[wasm_bindgen(unchecked_param_type = "number | Uint8Array | null")] heights: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Given<Sidecars> | null | undefined")] heights_sidecars: &JsValue,
-        gsd: Option<f64>,
+        gsd: Option<Number>,
         in_adjustment: Option<bool>,
     ) -> JsResult<OrthoMosaic> {
         let Project::Block(run) = read_project(&project.read("file of the project")?).map_err(thrown)? else {
@@ -495,7 +497,7 @@ impl OrthoMosaic {
         let given = || read_heights(heights, heights_sidecars);
         let heights = (!heights.is_null()).then(given).transpose()?;
         let lay_out = if in_adjustment.unwrap_or(false) { Mosaic::in_adjustment } else { Mosaic::of_block };
-        let mosaic = lay_out(&run, heights, gsd).map_err(thrown)?;
+        let mosaic = lay_out(&run, heights, gsd.map(|gsd| gsd.read("gsd")).transpose()?).map_err(thrown)?;
         Ok(Self { mosaic, names: run.model.images.iter().map(|image| image.name.clone()).collect(), file: Outbox::default() })
     }
 
@@ -522,14 +524,14 @@ impl OrthoMosaic {
     }
 
     /// Adds an image, by its index; one that is not oriented adds nothing. Gives what the file goes on with.
-    pub fn add(&mut self, index: f64, file: &Bytes) -> JsResult<Vec<u8>> {
+    pub fn add(&mut self, index: &Number, file: &Bytes) -> JsResult<Vec<u8>> {
         let image = decode_bands(&file.read("file of the image")?, &DecodeLimits::default()).map_err(thrown)?;
         self.mosaic.add(whole("index of the image", index)?, &image, &mut self.file).map_err(thrown)?;
         Ok(std::mem::take(&mut self.file.appended))
     }
 
     /// An image, by its index, that will not be added. Gives what the file goes on with.
-    pub fn leave_out(&mut self, index: f64) -> JsResult<Vec<u8>> {
+    pub fn leave_out(&mut self, index: &Number) -> JsResult<Vec<u8>> {
         self.mosaic.leave_out(whole("index of the image", index)?, &mut self.file).map_err(thrown)?;
         Ok(std::mem::take(&mut self.file.appended))
     }

@@ -1,6 +1,6 @@
 //! An image in wasm memory, and what is found in it.
 
-use super::convert::{Bytes, JsResult, Numbers, Text, numbers, object, pack, points, read, read_options, set, thrown, whole};
+use super::convert::{Bytes, JsResult, Number, Numbers, Text, numbers, object, pack, points, read, read_options, set, thrown, whole};
 use crate::{
     Bands, DecodeLimits, Decoded, DroneRecord, Error, ExifCamera, GreyImage, GreyView, PairImage, PairSettings, PointSet, Reduced,
     ReportImage, Strategy, WindowOptions, decode, describe, describe_image, detect, reduce_to, window_moments,
@@ -75,7 +75,7 @@ impl Photo {
     }
 
     /// Takes grey values 0..255, row by row.
-    pub fn from_grey(width: f64, height: f64, grey: &Bytes) -> JsResult<Photo> {
+    pub fn from_grey(width: &Number, height: &Number, grey: &Bytes) -> JsResult<Photo> {
         let grey = GreyImage::new(whole("width", width)?, whole("height", height)?, grey.read("grey values")?).map_err(thrown)?;
         Ok(Self { grey, format: "grey values", bits_per_sample: 8, camera: None, drone: None })
     }
@@ -110,7 +110,7 @@ impl Photo {
 
     /// The image halved until its longer side is at most `max_side` px.
     #[wasm_bindgen(unchecked_return_type = "ReducedImage")]
-    pub fn reduced(&self, max_side: f64) -> JsResult<JsValue> {
+    pub fn reduced(&self, max_side: &Number) -> JsResult<JsValue> {
         Ok(pack_reduced(&reduce_to(self.grey.view(), whole("longest side", max_side)?)))
     }
 
@@ -162,8 +162,8 @@ impl Photo {
     #[wasm_bindgen(unchecked_return_type = "WindowReport")]
     pub fn window_moments(
         &self,
-        col: f64,
-        row: f64,
+        col: &Number,
+        row: &Number,
         #[wasm_bindgen(unchecked_param_type = "Given<WindowOptions>")] window: &JsValue,
     ) -> JsResult<JsValue> {
         let options: WindowOptions = read_options("window", window)?;

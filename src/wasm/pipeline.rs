@@ -114,11 +114,11 @@ pub fn check_control(
     points: &Text,
     marks: &Text,
     names: &TextList,
-    #[wasm_bindgen(unchecked_param_type = "GeoreferencingOptions")] placing: &JsValue,
-    on_orthophoto: Option<bool>,
+    #[wasm_bindgen(unchecked_optional_param_type = "Given<GeoreferencingOptions>")] placing: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "boolean")] on_orthophoto: Option<bool>,
 ) -> JsResult<()> {
     let (points, marks, names) = (points.read("points")?, marks.read("marks")?, names.read("names")?);
-    let placing: GeoreferencingOptions = read("placing", placing)?;
+    let placing: GeoreferencingOptions = read_options("placing", placing)?;
     ControlTables::read(&points, &marks).and_then(|tables| tables.check(&names, &placing, on_orthophoto.unwrap_or(false))).map_err(thrown)
 }
 
@@ -128,10 +128,10 @@ pub fn check_control(
 pub fn positions_of_images(
     text: &Text,
     names: &TextList,
-    #[wasm_bindgen(unchecked_param_type = "GeoreferencingOptions")] placing: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "Given<GeoreferencingOptions>")] placing: &JsValue,
 ) -> JsResult<JsValue> {
     let (text, names) = (text.read("text")?, names.read("names")?);
-    let placing: GeoreferencingOptions = read("placing", placing)?;
+    let placing: GeoreferencingOptions = read_options("placing", placing)?;
     let given = PositionTable::read(&text).and_then(|table| table.positions(&names, &placing));
     given.map(|given| pack(&given)).map_err(thrown)
 }
@@ -145,8 +145,11 @@ pub fn remarks_of_positions(text: &Text, names: &TextList) -> JsResult<JsValue> 
 
 /// Refuses the file of a geoid beside its height, and one without a coordinate system whose heights count from it.
 #[wasm_bindgen]
-pub fn check_geoid(name: &Text, #[wasm_bindgen(unchecked_param_type = "GeoreferencingOptions")] placing: &JsValue) -> JsResult<()> {
-    read::<GeoreferencingOptions>("placing", placing)?.check_geoid(Some(&name.read("name")?)).map_err(thrown)
+pub fn check_geoid(
+    name: &Text,
+    #[wasm_bindgen(unchecked_optional_param_type = "Given<GeoreferencingOptions>")] placing: &JsValue,
+) -> JsResult<()> {
+    read_options::<GeoreferencingOptions>("placing", placing)?.check_geoid(Some(&name.read("name")?)).map_err(thrown)
 }
 
 /// The index of the mask of each image, by their names; -1 for an image without one. Refuses two masks of one image.

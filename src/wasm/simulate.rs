@@ -1,6 +1,7 @@
 //! Simulated flights, and the score of matches by their truth.
 
-use super::convert::{Bytes, JsResult, Numbers, object, pack, read, read_options, rows, thrown, whole};
+use super::about::pack_groups;
+use super::convert::{Bytes, JsResult, Number, Numbers, object, pack, read, read_options, rows, thrown, whole};
 use crate::{
     DenseTruth, Flight, GreyImage, MatchScore, Preset, Rightness, check_flight as check, score_matches as score_by_truth, simulate as fly,
     write_png,
@@ -47,7 +48,7 @@ export interface MatchScore {
 /// Every parameter of a flight.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn flight_parameters() -> JsValue {
-    pack(&Flight::PARAMETERS)
+    pack_groups(Flight::GROUPS)
 }
 
 /// The names of the ready-made flights.
@@ -96,8 +97,8 @@ pub fn simulate(#[wasm_bindgen(unchecked_param_type = "Given<Flight>")] flight: 
 /// Writes grey values as a PNG file, with the camera and the position of `exif` where it is given.
 #[wasm_bindgen]
 pub fn grey_png(
-    width: f64,
-    height: f64,
+    width: &Number,
+    height: &Number,
     grey: &Bytes,
     #[wasm_bindgen(unchecked_optional_param_type = "ExifImage")] exif: &JsValue,
 ) -> JsResult<Vec<u8>> {
@@ -112,10 +113,10 @@ pub fn score_matches(
     matches: &Numbers,
     left_points: &Numbers,
     #[wasm_bindgen(unchecked_param_type = "Float32Array | readonly number[]")] right_position: &Numbers,
-    left_width: f64,
-    left_height: f64,
-    right_width: f64,
-    right_height: f64,
+    left_width: &Number,
+    left_height: &Number,
+    right_width: &Number,
+    right_height: &Number,
 ) -> JsResult<JsValue> {
     let (left_width, left_height) = (whole("left width", left_width)?, whole("left height", left_height)?);
     let (right_width, right_height) = (whole("right width", right_width)?, whole("right height", right_height)?);

@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { describeOrientation } from '../../pkg/command/orient.js';
+import { orient_relative, parse_observations } from '../../pkg/node.js';
 import { file, folder, json, speckle, tiepoint } from './command.js';
 
 const at = folder();
@@ -58,6 +59,25 @@ test('exact observations give the orientation back', () => {
     assert.equal(result.degrees_of_freedom, 35);
     assert.deepEqual(result.rejected, []);
   }
+});
+
+test('a base that is not given is the median x-parallax, as in JavaScript, and none of 0 is taken', () => {
+  const table = file(at, 'exact.csv', observations(40));
+  const lines = readFileSync(table, 'utf8').split('\n').slice(1);
+  const parallaxes = lines.map((line) => line.split(',').map(Number)).map(([xl = 0, , xr = 0]) => xl - xr);
+  const sorted = parallaxes.toSorted((a, b) => a - b);
+  const found = json('orient', table, '--focal-mm', String(FOCAL));
+  assert.ok(Math.abs(found.base_mm - ((sorted[19] ?? 0) + (sorted[20] ?? 0)) / 2) < 1e-9, `${found.base_mm}`);
+  const scale = found.base_mm / BASE;
+  for (const name of NAMES) assert.ok(Math.abs(found[name] - TRUTH[name] * (name.endsWith('mm') ? scale : 1)) < 1e-7, `${name} ${found[name]}`);
+  const { focal_mm, base_mm } = orient_relative(parse_observations(readFileSync(table, 'utf8')), FOCAL, {});
+  assert.deepEqual([found.focal_mm, found.base_mm], [focal_mm, base_mm]);
+  const refused = tiepoint('orient', table, '--focal-mm', String(FOCAL), '--base-mm', '0');
+  assert.equal(refused.code, 2);
+  assert.match(refused.stderr, /--base-mm is 0; allowed: -1000000 to 1000000, but not 0\n$/);
+  const help = tiepoint('orient', '--help').stdout.replace(/\s+/g, ' ');
+  assert.match(help, /--base-mm MM The length b of the base at photo scale, not 0,/);
+  assert.match(help, /--focal-mm is required\./);
 });
 
 test('turned axes are named where angles are', () => {

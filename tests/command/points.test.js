@@ -95,3 +95,10 @@ test('the table tells the same counts', () => {
   assert.match(stdout, new RegExp(`after suppression +${counts.after_suppression}\\n`));
   assert.match(stdout, /x \[px\] +y \[px\] +value/);
 });
+
+test('help names the operator that the command takes, and options without effect beside another are told', () => {
+  const help = tiepoint('points', '--help').stdout.replace(/\s+/g, ' ');
+  assert.match(help, /--operator NAME [^(]*\(allowed: [^;]*; default: ground2\)/);
+  const { code, stderr } = tiepoint('points', image(folder(), 'speckle.png', 96, 96, speckle), '--operator', 'multiscale', '--suppress', '5', '--cells', '4');
+  assert.deepEqual([code, stderr], [0, 'tiepoint: without effect with the operator multiscale and the other options: --suppress\n']);
+});

@@ -29,6 +29,12 @@ for (const side of /** @type {const} */ (['left', 'right'])) {
   writeFileSync(join(home, `${side}.jpg`), grey_png(width, height, grey));
 }
 
+const marksOf = (/** @type {typeof pair.left_fiducials} */ marks) =>
+  ['col,row,x_mm,y_mm', ...marks.map(({ col, row, x_mm, y_mm }) => [col, row, x_mm, y_mm].join(','))].join('\n');
+writeFileSync(join(home, 'camera.json'), JSON.stringify(pair.camera));
+writeFileSync(join(home, 'left-fiducials.csv'), marksOf(pair.left_fiducials));
+writeFileSync(join(home, 'right-fiducials.csv'), marksOf(pair.right_fiducials));
+
 /** What a program writes.  @param {string} name */
 function written(name) {
   const { status, stdout, stderr } = spawnSync(process.execPath, [name], { cwd: home, encoding: 'utf8' });
@@ -39,13 +45,27 @@ function written(name) {
 
 test('every block of JavaScript in the document is a program of this test', () => {
   assert.equal(DOCUMENT.match(/^```js$/gm)?.length, programs.size);
-  assert.deepEqual([...programs.keys()], ['pair.js', 'points.js', 'orientation.js', 'block-worker.js', 'block.js', 'placing.js', 'project.js']);
+  assert.deepEqual([...programs.keys()], ['pair.js', 'camera.js', 'points.js', 'orientation.js', 'block-worker.js', 'block.js', 'placing.js', 'project.js']);
 });
 
 test('a pair is matched and oriented, and its verdict said in two languages', () => {
   const said = written('pair.js');
   assert.match(said, /matches: \d{3,}/);
   assert.match(said, /\p{Script=Arabic}/u);
+});
+
+test('a pair on film is oriented by its camera and its fiducial marks', () => {
+  assert.deepEqual(
+    [pair.left_origin, pair.right_origin],
+    [
+      [413, 107],
+      [48, 114],
+    ],
+  );
+  const said = written('camera.js');
+  const [, omega, error] = /^omega (-?[\d.]+) ± ([\d.]+) deg$/m.exec(said) ?? [];
+  assert.ok(Math.abs(Number(omega) - pair.truth.omega_deg) < 0.05, said);
+  assert.ok(Number(error) > 0 && Number(error) < 0.05, said);
 });
 
 test('points keep away from the mask, and features are matched', () => {

@@ -6,17 +6,25 @@ import test from 'node:test';
 import vm from 'node:vm';
 import {
   BlockScene,
+  block_settings,
+  check_control,
+  check_geoid,
   connected_groups,
+  constant_offset,
   FinishedBlock,
   grey_png,
   match_pair,
   message,
+  orient_relative,
   OrthophotoReference,
   Photo,
   placed_tables,
+  positions_of_images,
   resolved,
+  Run,
   scaled_interior,
   sha256,
+  simulate,
 } from '../../pkg/node.js';
 
 /** @param {() => unknown} call @param {RegExp} pattern of the message @param {string} [code] */
@@ -92,13 +100,71 @@ test('indices and sizes that are no whole numbers are refused, in place of other
 
 test('options of another type are refused by their names', () => {
   const json = (/** @type {unknown} */ settings, /** @type {RegExp} */ pattern) => refused(() => resolved(any(settings)), pattern, 'invalid-json');
-  json({ points: { threshold: NaN } }, /^settings: points\.threshold: invalid type: string "NaN", expected f64$/);
-  json({ points: { threshold: -Infinity } }, /^settings: points\.threshold: invalid type: string "-Infinity", expected f64$/);
-  json({ points: { suppression_window: -1 } }, /^settings: points\.suppression_window: invalid value: integer `-1`, expected usize$/);
-  json({ points: 'all' }, /^settings: points: invalid type: string "all", expected struct /);
-  json('all', /^settings: invalid type: string "all", expected struct /);
+  json({ points: 'all' }, /^settings: points: got a text; allowed: an object of options$/);
+  json('all', /^settings: got a text; allowed: an object of options$/);
+  json([], /^settings: got a list; allowed: an object of options$/);
+  json({ multiscale: { number: '200' } }, /^settings: multiscale\.number: got a text; allowed: whole numbers from 1 to 1000000$/);
+  json({ multiscale: { number: null } }, /^settings: multiscale\.number: got null; allowed: whole numbers/);
+  refused(
+    () => block_settings(any({ features: { multiscale: { number: true } } })),
+    /^block: features\.multiscale\.number: got true or false; allowed/,
+    'invalid-json',
+  );
+});
+
+test('a number outside its range is refused by what its option allows, whatever it is', () => {
+  const option = (/** @type {unknown} */ settings, /** @type {RegExp} */ pattern) => refused(() => resolved(any(settings)), pattern, 'invalid-option');
+  for (const [number, got] of /** @type {const} */ ([
+    [-5, '-5'],
+    [1.5, '1.5'],
+    [2 ** 33, '8589934592'],
+    [NaN, 'NaN'],
+    [Infinity, 'Infinity'],
+    [1e300, '1e300'],
+  ]))
+    option({ multiscale: { number } }, new RegExp(`^multiscale\\.number is ${got}; allowed: whole numbers from 1 to 1000000$`));
+  option({ points: { threshold: -Infinity } }, /^points\.threshold is -Infinity; allowed: /);
+  option({ points: { suppression_window: -1 } }, /^points\.suppression_window is -1; allowed: odd whole numbers/);
+  option({ matching: { strategy: 'gradients' } }, /^matching\.strategy is gradients; allowed: auto, moments, /);
+  refused(() => simulate({ seed: 2 ** 32 }), /^flight\.seed is 4294967296; allowed: whole numbers from 0 to 4294967295$/, 'invalid-option');
+  refused(() => new Run({ images: ['a'], settings: { features: { multiscale: { number: -5 } } } }), /^multiscale\.number is -5; allowed/, 'invalid-option');
   const photo = Photo.decode(PNG);
   refused(() => photo.detect({ points: { fraction: 1e300 } }), /^points\.fraction is 1e300; allowed/, 'invalid-option');
+});
+
+test('numbers of calls are numbers, and no text of them', () => {
+  refused(() => Photo.from_grey(any('2'), 1, new Uint8Array(2)), /^width: got string; allowed: a number$/);
+  refused(() => Photo.from_grey(2, any(null), new Uint8Array(2)), /^height: got null; allowed: a number$/);
+  refused(() => orient_relative(new Float64Array(24), any('153'), {}), /^focal_mm: got string; allowed: a number$/);
+  refused(() => orient_relative(new Float64Array(24), any(undefined), {}), /^focal_mm: got undefined; allowed: a number$/);
+  refused(() => constant_offset(any([5]), 0), /^dx: got Array; allowed: a number$/);
+});
+
+test('an object that is freed twice, or was moved into another one, is freed once', () => {
+  const photo = Photo.decode(PNG);
+  photo.free();
+  photo.free();
+  if (Symbol.dispose) photo[Symbol.dispose]();
+  const run = new Run({ images: [] });
+  assert.throws(() => run.finish(), { name: 'TiepointError' });
+  run.free();
+  if (Symbol.dispose) run[Symbol.dispose]();
+  assert.throws(() => photo.grey(), /the object was freed/);
+});
+
+test('what a run would refuse of positions and control points is asked with the options that differ from their defaults', () => {
+  const names = ['a.jpg', 'b.jpg'];
+  const [first, none] = positions_of_images('image,longitude,latitude,height\na.jpg,9,48,300\n', names);
+  assert.deepEqual([first?.position.longitude_deg, first?.position.latitude_deg, none], [9, 48, null]);
+  assert.deepEqual(positions_of_images('image,longitude,latitude,height\na.jpg,9,48,300\n', names, {}), [first, none]);
+  const plane = 'image,x,y,height\na.jpg,500000,5316000,300\n';
+  const [placed] = positions_of_images(plane, names, { crs: 'EPSG:25832' });
+  assert.ok(Math.abs((placed?.position.longitude_deg ?? 0) - 9) < 1e-9, JSON.stringify(placed));
+  refused(() => positions_of_images(plane, names), /without a coordinate system/);
+  refused(() => positions_of_images(plane, names, any({ crs: 25832 })), /^placing: crs: got a number; allowed: text$/, 'invalid-json');
+  refused(() => check_geoid('geoid.tif'), /geoid\.tif.*coordinate system/);
+  const [points, marks] = ['name,x,y,z\np,1,2,3\nq,2,2,3\nr,1,5,3\n', 'image,point,x,y\na.jpg,p,1,2\nb.jpg,p,2,2\n'];
+  refused(() => check_control(points, marks, names, { geoid_m: 1e9 }), /^placing\.geoid_m is 1000000000; allowed/, 'invalid-option');
 });
 
 test('a call before the module is loaded, and of an object that was freed, says what to do', () => {

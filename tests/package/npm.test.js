@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, normalize } from 'node:path';
 import test, { after } from 'node:test';
@@ -23,10 +23,10 @@ const work = mkdtempSync(join(tmpdir(), 'tiepoint-pack-'));
 after(() => rmSync(work, { recursive: true, force: true }));
 
 /** @type {{ filename: string, files: { path: string }[] }[]} */
-const [pack] = JSON.parse(run(NPM, ['pack', '--json', '--pack-destination', work], PKG));
+const [pack] = JSON.parse(run(NPM, ['pack', '--json', '--pack-destination', work], PKG).replace(/^[^[]*(?=\[)/, ''));
 const files = (pack?.files ?? []).map(({ path }) => path);
 
-test('the package holds the module, both entries with their types, the command and the licences, and nothing else', () => {
+test('the package holds the module, both entries with their types, the command, the documents and the licences, and nothing else', () => {
   const { exports, bin, files: listed } = JSON.parse(readFileSync(join(PKG, 'package.json'), 'utf8'));
   // What stands behind a colon is a file; a name before it is what programs import.
   const named =
@@ -34,7 +34,7 @@ test('the package holds the module, both entries with their types, the command a
       .match(/:"\.\/[^"]+/g)
       ?.map((path) => path.slice(4)) ?? [];
   assert.deepEqual(
-    [...named, 'README.md', 'LICENSE-APACHE', 'LICENSE-MIT'].filter((file) => !files.includes(file)),
+    [...named, 'README.md', 'docs/javascript.md', 'LICENSE-APACHE', 'LICENSE-MIT'].filter((file) => !files.includes(file)),
     [],
   );
   assert.deepEqual(
@@ -45,6 +45,23 @@ test('the package holds the module, both entries with their types, the command a
     files.every((file) => !/test|node_modules|\.map$/.test(file)),
     files.join(' '),
   );
+});
+
+test('what a packed document links to is packed, and no copy of it stays beside the sources', () => {
+  const home = join(work, 'unpacked');
+  mkdirSync(home);
+  run('tar', ['-xzf', join(work, pack?.filename ?? ''), '-C', home], work);
+  const documents = files.filter((file) => file.endsWith('.md'));
+  const linked = documents.flatMap((file) => {
+    const text = readFileSync(join(home, 'package', file), 'utf8').replace(/```[\s\S]*?```/g, '');
+    return [...text.matchAll(/\]\(([^)#\s]+)(?:#[^)]*)?\)/g)].map(([, link = '']) => normalize(join(dirname(file), link)).replaceAll('\\', '/'));
+  });
+  assert.ok(linked.includes('docs/javascript.md') && linked.includes('docs/blocks.md'), linked.join(' '));
+  assert.deepEqual(
+    linked.filter((file) => !files.includes(file)),
+    [],
+  );
+  assert.equal(existsSync(join(PKG, 'docs')), false);
 });
 
 test('every file that a packed script imports is packed', () => {

@@ -32,7 +32,8 @@ function said(host, program) {
 }
 
 const PROGRAM = `
-  import load, { message, OrthophotoReference, Photo, type ErrorCode, type TiepointError } from 'tiepoint';
+  import address from 'tiepoint/tiepoint.wasm';
+  import load, { check_control, check_geoid, message, positions_of_images, OrthophotoReference, Photo, type ErrorCode, type TiepointError } from 'tiepoint';
   import { errorOf, plainError, runBlock, type Pool } from 'tiepoint/block';
   import { jobs } from 'tiepoint/block/jobs';
   await load();
@@ -48,6 +49,11 @@ const PROGRAM = `
   export const code: ErrorCode = 'invalid-option';
   export const photo = (bytes: ArrayBuffer) => Photo.decode(bytes);
   export { errorOf, OrthophotoReference, plainError, runBlock };
+  export const bundled = () => load(address);
+  export const positions = positions_of_images('', [], { crs: 'EPSG:25832' });
+  export const none = positions_of_images('', []);
+  check_control('', '', []);
+  check_geoid('geoid.tif', {});
 `;
 
 for (const host of /** @type {const} */ (['node', 'browser']))

@@ -135,7 +135,8 @@ test('an object of another class is refused, and one that gives no points', () =
 
 test('a focal length that no camera has makes no camera', () => {
   const { camera_of_focal_px } = tiepoint;
-  refused(() => camera_of_focal_px(any('x')), /^focal_px is NaN; allowed: 1 to 10000000$/, 'invalid-option');
+  refused(() => camera_of_focal_px(any('x')), /^focal_px: got string; allowed: a number$/);
+  refused(() => camera_of_focal_px(NaN), /^focal_px is NaN; allowed: 1 to 10000000$/, 'invalid-option');
   refused(() => camera_of_focal_px(0.2), /^focal_px is 0\.2; allowed/, 'invalid-option');
   assert.equal(camera_of_focal_px(1200).focal_mm, 1.2);
 });

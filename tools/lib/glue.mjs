@@ -28,9 +28,21 @@ const PIECES = [
 
 /** @param {string} code as the binding generator writes it @returns {string} */
 export function explained(code) {
-  return PIECES.reduce((made, [piece, times, other]) => {
-    const found = made.split(piece).length - 1;
-    if (found !== times) throw new Error(`the generated JavaScript has "${piece}" ${found} times; ${times} were expected: see tools/lib/glue.mjs`);
+  const made = PIECES.reduce((made, [piece, times, other]) => {
+    check(piece, made.split(piece).length - 1, times);
     return made.replaceAll(piece, () => other);
   }, code);
+  return freedOnce(made);
+}
+
+/** @param {string} piece @param {number} found @param {number} times */
+function check(piece, found, times) {
+  if (found !== times) throw new Error(`the generated JavaScript has "${piece}" ${found} times; ${times} were expected: see tools/lib/glue.mjs`);
+}
+
+/** An object that is disposed of again, or that was moved into another one, has nothing left to free.  @param {string} code */
+function freedOnce(code) {
+  const call = / (?=wasm\.__wbg_\w+_free\(ptr, 0\);)/g;
+  check('wasm.…_free(ptr, 0)', code.match(call)?.length ?? 0, code.split('\n    free() {').length - 1);
+  return code.replaceAll(call, ' if (ptr !== 0) ');
 }

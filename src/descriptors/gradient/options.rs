@@ -1,8 +1,9 @@
 //! What the user chooses of gradient descriptors.
 
-use crate::MultiscaleOptions;
-use crate::catalogue::options;
+use crate::catalogue::{check_groups, options};
+use crate::{Document, Error, Group, MultiscaleOptions, PartlyGiven};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 options! {
     /// Options of [`gradient_features`](crate::gradient_features).
@@ -30,4 +31,14 @@ options! {
 pub struct FeatureOptions {
     pub multiscale: MultiscaleOptions,
     pub gradient: GradientOptions,
+}
+
+impl PartlyGiven for FeatureOptions {
+    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
+        const GROUPS: &[Group] = &[
+            Group { path: "multiscale", parameters: MultiscaleOptions::PARAMETERS },
+            Group { path: "gradient", parameters: GradientOptions::PARAMETERS },
+        ];
+        check_groups(GROUPS, given, document)
+    }
 }

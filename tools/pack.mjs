@@ -1,0 +1,33 @@
+#!/usr/bin/env node
+/** What `npm pack` asks before it packs pkg/: the documents for those who use the package; they are tracked in docs/ alone. */
+
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { parseArgs } from 'node:util';
+import { ROOT } from './lib/paths.mjs';
+
+const USAGE = `node tools/pack.mjs [--remove]
+
+Writes the documents of the package into pkg/docs, before it is packed.
+
+  --remove    removes them, after it was packed
+  -h, --help  prints this`;
+
+/** The document for JavaScript, and those to which it leads. */
+const DOCUMENTS = ['javascript.md', 'command.md', 'options.md', 'conventions.md', 'blocks.md', 'placing.md', 'epipolar.md', 'project.md'];
+
+const FOLDER = join(ROOT, 'pkg', 'docs');
+
+/** A link to what is not packed becomes its text.  @param {string} text */
+const within = (text) =>
+  text.replace(/\[([^\]]+)\]\(([^)#\s]+\.(?:md|html|png))(?:#[^)]*)?\)/g, (link, words, file) => (DOCUMENTS.includes(file) ? link : words));
+
+const { values } = parseArgs({ options: { remove: { type: 'boolean' }, help: { type: 'boolean', short: 'h' } } });
+if (values.help) console.log(USAGE);
+else {
+  rmSync(FOLDER, { recursive: true, force: true });
+  if (!values.remove) {
+    mkdirSync(FOLDER, { recursive: true });
+    for (const name of DOCUMENTS) writeFileSync(join(FOLDER, name), within(readFileSync(join(ROOT, 'docs', name), 'utf8')));
+  }
+}
