@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 44] = [
+pub(super) const NESTED: [&str; 45] = [
     "allowed",
     "axis",
     "block_warning",
