@@ -11,6 +11,6 @@ mod study;
 mod tables;
 mod unknowns;
 
-pub use input::{ReportImage, ReportTruth};
+pub use input::{ReportEdits, ReportImage, ReportTruth};
 pub use paper::{PAPER, Paper, PrintedOrientation};
 pub use steps::Report;

@@ -65,6 +65,12 @@ impl Report {
                     }
                 }
                 li { (count(matches.len())) " matches of " (count(run.result.left.points.len())) " left points by this run's strategy." }
+                @if let Some(edits) = &self.edits {
+                    li {
+                        "Edits by hand: " (count(edits.rejected)) " matches rejected, " (count(edits.measured)) " measured. This run is that of the edited "
+                        "matches; the other strategies match by themselves."
+                    }
+                }
                 li { strong { (typeset(&run.result.verdict().to_string())) } }
                 @if let Ok(o) = &run.result.orientation {
                     li { (count(run.used())) " matches took part, σ₀ " (fixed(run.sigma0_px(), 3)) " px; " (count(o.rejected.len())) " gross errors rejected." }

@@ -1,11 +1,11 @@
 //! One way of matching the pair, and what came of it.
 
-use super::input::ReportTruth;
+use super::input::{ReportEdits, ReportTruth};
 use super::unknowns::five;
 use crate::pair::sigma0_of_all_mm;
 use crate::{
-    DenseTruth, Error, MatchScore, Operator, PairImage, PairInput, PairResult, PairSettings, Refinement, Strategy, match_pair,
-    score_matches,
+    DenseTruth, Error, InterestPoint, MatchScore, NoOrientation, Operator, PairImage, PairInput, PairResult, PairSettings, Refinement,
+    Strategy, judged, match_pair, orient_matches, score_matches,
 };
 
 /// A run of the pair.
@@ -41,16 +41,20 @@ pub fn plan(settings: &PairSettings) -> Vec<(&'static str, PairSettings)> {
     std::iter::once(("this run", settings.clone())).chain(others).collect()
 }
 
-/// Matches, orients and scores the pair.
+/// Matches, orients and scores the pair; where there are edits, its edited matches.
 pub fn study(
     name: &'static str,
     settings: &PairSettings,
     images: [PairImage<'_>; 2],
     input: &PairInput,
-    truth: Option<&ReportTruth>,
+    (truth, edits): (Option<&ReportTruth>, Option<&ReportEdits>),
 ) -> Result<Study, Error> {
     let [left, right] = images;
-    let result = match_pair(left, right, input, settings)?;
+    let found = match_pair(left, right, input, settings)?;
+    let result = match edits {
+        Some(edits) => with_edits(found, edits, settings)?,
+        None => found,
+    };
     let score = truth.map(|truth| {
         let matches: Vec<[f64; 4]> =
             result.matching.matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
@@ -69,6 +73,25 @@ pub fn study(
         std::array::from_fn(|k| found[k] - known[k])
     });
     Ok(Study { name, settings: settings.clone(), result, score: score.transpose()?, errors })
+}
+
+/// The pair with its edited matches, and the orientation of these. Why images have none whatever their matches are stays as it is.
+fn with_edits(found: PairResult, edits: &ReportEdits, settings: &PairSettings) -> Result<PairResult, Error> {
+    let mut result = found;
+    result.left.points.extend(edits.added_px.iter().map(|[x, y]| InterestPoint { x: *x, y: *y, value: 0.0 }));
+    result.matching.matches.clone_from(&edits.matches);
+    result.matching.counts.matches = edits.matches.len();
+    let interior = match (&result.orientation, &result.interior) {
+        (Ok(_) | Err(NoOrientation::Refused { .. }), Some(interior)) => interior,
+        _ => return Ok(result),
+    };
+    let points = [result.left.points.len(), result.right.points.len()];
+    let orientation = match orient_matches(&edits.matches, interior, &settings.resolved().orientation) {
+        Err(error) if error.is_usage() => return Err(error),
+        Ok(oriented) => Ok(judged(oriented, &edits.matches, interior, Some(points))),
+        Err(error) => Err(NoOrientation::Refused { error }),
+    };
+    Ok(PairResult { orientation, ..result })
 }
 
 impl Study {

@@ -49,6 +49,10 @@ pub fn refusals(report: &Report) -> Markup {
             (head(&report.studies, "", false))
             tbody {
                 @for rule in applied { tr { th { @if rule != Rule::Matched { "Rejected: " } (Texts::english().label(&rule)) } @for study in &report.studies { td { (count(number(study, rule))) } } } }
+                @if let Some(edits) = &report.edits {
+                    (of_this_run(report, "of these: rejected by hand", edits.rejected))
+                    (of_this_run(report, "measured by hand, in their place or beside them", edits.measured))
+                }
                 tr {
                     th { "of the matched: gross errors" }
                     @for study in &report.studies { td { (count(study.result.matching.matches.len() - study.used())) } }
@@ -56,6 +60,11 @@ pub fn refusals(report: &Report) -> Markup {
             }
         }
     }
+}
+
+/// A row of a figure that this run alone has.
+fn of_this_run(report: &Report, title: &str, number: usize) -> Markup {
+    html! { tr { th { (title) } td { (count(number)) } @for _ in 1..report.studies.len() { td { "–" } } } }
 }
 
 /// A count of a score.

@@ -7,6 +7,7 @@ import type { Files } from '../files/open';
 import { exportProject } from '../files/project';
 import { exportEpipolar } from '../files/epipolar';
 import { exportReport } from '../files/report';
+import { isEdited } from '../state/kept';
 import { isCurrent } from '../state/keys';
 import { shownPair } from '../state/select';
 import type { Side } from '../state/state';
@@ -91,9 +92,9 @@ export function mountHeader({ store, engine, view, files, pick, attempt, saving,
     set('export-csv', !both || shownPair(store.state).match === null);
     set('export-json', !both || store.state.results.pointsLeft === undefined);
     set('export-project', !both || isBusy(store.state) || !isCurrent(store.state, 'match'));
-    // The report is made of pixels.
+    // The report is made of pixels, and of edited matches where there are edits.
     const absent = Object.values(images).some((image) => image?.source.kind === 'project');
-    set('export-report', !both || absent || isBusy(store.state));
+    set('export-report', !both || absent || isBusy(store.state) || (isEdited(store.state) && !isCurrent(store.state, 'match')));
     set('export-epipolar', !both || absent || isBusy(store.state) || shownPair(store.state).orientation === null);
     set('export-png', none);
     leaveWelcome(!none);
