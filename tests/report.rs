@@ -3,8 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use tiepoint::{
-    Denominator, Flight, GreyImage, Match, Operator, PairImage, PairInput, PairResult, PairSettings, PhotoInput, Preset, Refinement, Report,
-    ReportEdits, ReportImage, ReportTruth, Sample, Strategy, match_pair, orient_matches, simulate,
+    CameraOrigin, CameraUncertainty, Denominator, ExifCamera, Flight, GreyImage, Match, Operator, PairImage, PairInput, PairResult,
+    PairSettings, PhotoInput, Preset, Refinement, Report, ReportEdits, ReportImage, ReportTruth, Sample, Strategy, match_pair,
+    orient_matches, simulate,
 };
 
 /// The report of a flight, as `tiepoint simulate` and `tiepoint report` make it.
@@ -258,4 +259,48 @@ fn a_report_of_edited_matches_is_of_them_and_says_so() {
     let kappa = row_after(&html, "Table 3.", "κ");
     let digits = kappa[0][kappa[0].find('.').unwrap() + 1..].find('<').unwrap();
     assert!(kappa[0].starts_with(&format!("{:.digits$}<", oriented.parameters.kappa_deg).replace('-', "−")), "{}", kappa[0]);
+}
+
+#[test]
+fn a_report_names_its_cameras_and_where_they_come_from() {
+    let (images, input, settings) = by_moments();
+    let report = |input: &PairInput, exif: Option<ExifCamera>, settings: &PairSettings| {
+        let images = images_of(images.clone()).map(|image| ReportImage { exif: exif.clone(), ..image });
+        Report::new(images, input.clone(), settings.clone(), None).html().unwrap()
+    };
+    let camera = input.camera.unwrap();
+    // A given camera of measured marks is known without error.
+    let given = report(&input, None, &settings);
+    assert_eq!(cells_after(&given, "<caption>Cameras", "From"), ["given"; 2]);
+    let focal = format!("{}", camera.focal_mm);
+    assert_eq!(cells_after(&given, "<caption>Cameras", "Focal length, mm"), [focal.as_str(); 2]);
+    let focal_px: f64 = cells_after(&given, "<caption>Cameras", "Focal length, px")[0].parse().unwrap();
+    assert!((focal_px * 0.254 / camera.focal_mm - 1.0).abs() < 0.01, "{focal_px} px");
+    assert!(!given.contains(">estimated<") && !given.contains("The size of a pixel is not known"));
+    // One that is hardly known is estimated with the orientation.
+    let hardly = PairInput { camera: Some(tiepoint::CameraMm { uncertainty: Some(CameraUncertainty::EXIF), ..camera }), ..input.clone() };
+    let estimated = cells_after(&report(&hardly, None, &settings), "<caption>Cameras", "Focal length, mm");
+    assert_eq!(estimated.len(), 4);
+    let parts = |cell: &String| cell.split(" ± ").map(|part| part.parse::<f64>().unwrap()).collect::<Vec<_>>();
+    let [before, after] = [parts(&estimated[0]), parts(&estimated[1])];
+    assert!((before[0] - camera.focal_mm).abs() < 0.05 && (before[1] - 0.05 * camera.focal_mm).abs() < 0.05, "{before:?}");
+    assert!(after[1] > 0.0 && after[1] <= before[1] && (after[0] - camera.focal_mm).abs() < 3.0 * before[1], "{after:?}");
+    // What the file of a digital photo names, without marks.
+    let exif = ExifCamera {
+        make: Some("Maker".into()),
+        model: Some("M1".into()),
+        focal_mm: 24.0,
+        pixel_mm: Some(0.06),
+        origin: CameraOrigin::Exif35Mm,
+        ..ExifCamera::default()
+    };
+    let digital = report(&PairInput::default(), Some(exif), &settings);
+    let from = cells_after(&digital, "<caption>Cameras", "From");
+    assert!(from[0].starts_with("EXIF (35 mm equivalent): Maker M1"), "{from:?}");
+    assert!(cells_after(&digital, "<caption>Cameras", "Focal length, mm")[0].starts_with("24.0 ± 1.2"));
+    assert!(cells_after(&digital, "<caption>Cameras", "Focal length, px")[0].starts_with("400 ± 20"));
+    // A focal length in px has no mm.
+    let in_px = report(&PairInput { camera: Some(tiepoint::CameraMm::of_focal_px(400.0)), ..PairInput::default() }, None, &settings);
+    assert!(in_px.contains("<th>Focal length, px</th>") && !in_px.contains("<th>Focal length, mm</th>"));
+    assert!(in_px.contains("The size of a pixel is not known"));
 }

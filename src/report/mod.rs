@@ -1,5 +1,6 @@
 //! The report of a pair: one self-contained HTML page with pictures, tables of all strategies, residuals, reliability and parameters.
 
+mod camera;
 mod details;
 mod figures;
 mod input;

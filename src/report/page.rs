@@ -3,7 +3,7 @@
 use super::input::ReportImage;
 use super::picture::{self, Layer};
 use super::steps::Report;
-use super::{details, tables};
+use super::{camera, details, tables};
 use crate::html::{count, dots, fixed, page, percent, settings_table, typeset};
 use crate::{Error, GreyImage, PairSettings};
 use maud::{Markup, html};
@@ -33,6 +33,7 @@ impl Report {
             (tables::orientations(self))
             (tables::differences(self))
             h2 { "Interior orientation" }
+            (camera::cameras(self)?)
             (details::interior(self)?)
             h2 { "Relative orientation of this run" }
             @match &run.result.orientation {
