@@ -262,6 +262,26 @@ fn a_report_of_edited_matches_is_of_them_and_says_so() {
 }
 
 #[test]
+fn errors_and_what_they_belong_to_have_two_significant_digits_of_them() {
+    // by and bz and their errors are a ten-thousandth of the true ones.
+    let html = report_with(&small(), "small", |settings, base_mm| settings.orientation.base_mm = Some(1e-4 * base_mm)).html().unwrap();
+    for symbol in ["ω", "φ", "κ", "by", "bz"] {
+        let text = |cell: &&str| cell[..cell.find('<').unwrap()].to_string();
+        let errors: Vec<String> = row_after(&html, "Table 2.", symbol).iter().map(text).collect();
+        let values: Vec<String> = row_after(&html, "Table 3.", symbol).iter().map(text).collect();
+        assert_eq!((errors.len(), values.len()), (6, 6));
+        for (error, value) in errors.iter().zip(&values).filter(|(error, _)| *error != "–") {
+            let significant = error.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count();
+            // 0.0995 is written as 0.100.
+            assert!(significant == 2 || (significant == 3 && error.ends_with("00")), "{symbol}: {error}");
+            let digits = |number: &str| number.split('.').nth(1).map_or(0, str::len);
+            assert_eq!(digits(error), digits(value), "{symbol}: {value} ± {error}");
+        }
+    }
+    assert!(!html.contains("ellipse of 0.000") && !html.contains("ellipse 0.0 ×"));
+}
+
+#[test]
 fn a_report_names_its_cameras_and_where_they_come_from() {
     let (images, input, settings) = by_moments();
     let report = |input: &PairInput, exif: Option<ExifCamera>, settings: &PairSettings| {

@@ -1,7 +1,8 @@
 //! One way of matching the pair, and what came of it.
 
 use super::input::{ReportEdits, ReportTruth};
-use super::unknowns::five;
+use super::unknowns::{PRINTED_DIGITS, five};
+use crate::html::digits_of_error;
 use crate::pair::sigma0_of_all_mm;
 use crate::{
     DenseTruth, Error, InterestPoint, MatchScore, NoOrientation, Operator, PairImage, PairInput, PairResult, PairSettings, Refinement,
@@ -108,6 +109,12 @@ impl Study {
         let found = self.result.orientation.as_ref().ok().filter(|found| found.cameras.is_none())?;
         let sigma0_mm = sigma0_of_all_mm(&self.result.matching.matches, interior, found.turn_deg, &self.settings.orientation)?;
         Some(sigma0_mm / interior.left.pixel_mm())
+    }
+
+    /// Digits after the point of an unknown, of its errors and of its interval: those of its standard error.
+    pub fn digits(&self, unknown: usize) -> usize {
+        let errors = self.result.orientation.as_ref().ok().and_then(|o| o.standard_errors);
+        digits_of_error(errors.map(|errors| five(&errors)[unknown]), PRINTED_DIGITS)
     }
 
     /// Matches that the adjustment used.
