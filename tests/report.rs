@@ -297,14 +297,9 @@ fn a_report_names_its_cameras_and_where_they_come_from() {
     let focal_px: f64 = cells_after(&given, "<caption>Cameras", "Focal length, px")[0].parse().unwrap();
     assert!((focal_px * 0.254 / camera.focal_mm - 1.0).abs() < 0.01, "{focal_px} px");
     assert!(!given.contains(">estimated<") && !given.contains("The size of a pixel is not known"));
-    // One that is hardly known is estimated with the orientation.
+    // What is not known of one stands beside it. These few matches tell no more of it.
     let hardly = PairInput { camera: Some(tiepoint::CameraMm { uncertainty: Some(CameraUncertainty::EXIF), ..camera }), ..input.clone() };
-    let estimated = cells_after(&report(&hardly, None, &settings), "<caption>Cameras", "Focal length, mm");
-    assert_eq!(estimated.len(), 4);
-    let parts = |cell: &String| cell.split(" ± ").map(|part| part.parse::<f64>().unwrap()).collect::<Vec<_>>();
-    let [before, after] = [parts(&estimated[0]), parts(&estimated[1])];
-    assert!((before[0] - camera.focal_mm).abs() < 0.05 && (before[1] - 0.05 * camera.focal_mm).abs() < 0.05, "{before:?}");
-    assert!(after[1] > 0.0 && after[1] <= before[1] && (after[0] - camera.focal_mm).abs() < 3.0 * before[1], "{after:?}");
+    assert_eq!(cells_after(&report(&hardly, None, &settings), "<caption>Cameras", "Focal length, mm"), ["153.4 ± 7.7"; 2]);
     // What the file of a digital photo names, without marks.
     let exif = ExifCamera {
         make: Some("Maker".into()),
