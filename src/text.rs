@@ -62,14 +62,14 @@ impl Records {
         has_thousands(field).then(|| refusal().into_error())
     }
 
-    /// Refuses numbers with commas all of which may stand before thousands, where commas do not separate.
+    /// Refuses numbers with commas all of which may stand before thousands, between tabs and blanks: semicolons separate where commas are decimal ones.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] with the first such row.
     pub(crate) fn check_thousands(&self) -> Result<(), Error> {
         let fields = || self.rows.iter().flat_map(|(_, record)| record.iter()).filter(|field| is_decimal_comma(field));
         let first = self.rows.iter().find(|(_, record)| record.iter().any(is_decimal_comma));
-        match first.filter(|_| !self.has_commas() && !fields().any(is_clearly_decimal)) {
+        match first.filter(|_| !self.has_commas() && self.separator != b';' && !fields().any(is_clearly_decimal)) {
             Some((line, record)) => refuse(Refusal::ThousandsCommas { input: self.input, record: self.shown(record), line: *line }),
             None => Ok(()),
         }

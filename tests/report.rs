@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use tiepoint::{
-    Denominator, Flight, GreyImage, PairInput, PairSettings, PhotoInput, Preset, Report, ReportImage, ReportTruth, Sample, simulate,
+    CameraOrigin, CameraUncertainty, Denominator, ExifCamera, Flight, GreyImage, Match, Operator, PairImage, PairInput, PairResult,
+    PairSettings, PhotoInput, Preset, Refinement, Report, ReportEdits, ReportImage, ReportTruth, Sample, Strategy, match_pair,
+    orient_matches, simulate,
 };
 
 /// The report of a flight, as `tiepoint simulate` and `tiepoint report` make it.
@@ -188,4 +190,132 @@ fn what_masks_leave_out_is_told_and_drawn() {
     assert!(points(&masked) > 0 && points(&masked) < points(&plain));
     let strange = report(Some(GreyImage::new(7, 5, vec![0; 35]).unwrap())).html().unwrap_err();
     assert!(strange.to_string().contains("mask"), "{strange}");
+}
+
+/// The cells of a row of a table after a text.
+fn cells_after(html: &str, text: &str, head: &str) -> Vec<String> {
+    let rest = &html[html.find(text).unwrap()..];
+    let row = &rest[rest.find(&format!("<th>{head}</th>")).unwrap_or_else(|| panic!("no {head}"))..];
+    let cells = row[..row.find("</tr>").unwrap()].split("<td").skip(1);
+    cells.map(|cell| cell[cell.find('>').unwrap() + 1..cell.find("</td>").unwrap()].to_string()).collect()
+}
+
+/// The small flight as its run takes it, by moments on the paper's points: as the strategy of that name of a report.
+fn by_moments() -> ([GreyImage; 2], PairInput, PairSettings) {
+    let Sample { left, right, camera, left_fiducials, right_fiducials, left_origin, right_origin, base_mm, .. } =
+        simulate(&small()).unwrap();
+    let photo = |fiducials, origin| PhotoInput { fiducials, origin: Some(origin), ..PhotoInput::default() };
+    let input = PairInput {
+        camera: Some(camera),
+        left: photo(left_fiducials, left_origin),
+        right: photo(right_fiducials, right_origin),
+        offset: None,
+    };
+    let mut settings = PairSettings::default();
+    settings.matching.strategy = Strategy::Moments;
+    settings.matching.refine = Some(Refinement::None);
+    settings.points.operator = Some(Operator::Ground2);
+    settings.orientation.base_mm = Some(base_mm);
+    ([left, right], input, settings)
+}
+
+fn images_of(images: [GreyImage; 2]) -> [ReportImage; 2] {
+    images.map(|grey| ReportImage { name: "small.png".into(), grey, exif: None, mask: None })
+}
+
+#[test]
+fn a_report_of_edited_matches_is_of_them_and_says_so() {
+    let (images, input, settings) = by_moments();
+    let [left, right] = images.each_ref().map(|grey| PairImage { grey: grey.view(), exif: None, mask: None });
+    let PairResult { matching, interior, left: points, .. } = match_pair(left, right, &input, &settings).unwrap();
+    let plain = Report::new(images_of(images.clone()), input.clone(), settings.clone(), None).html().unwrap();
+    assert!(!plain.contains("by hand") && plain.contains("<th>this run</th>"));
+    // A third is rejected by hand, and a point is added.
+    let mut matches: Vec<Match> = matching.matches.iter().enumerate().filter(|(k, _)| k % 3 != 0).map(|(_, kept)| *kept).collect();
+    let rejected = matching.matches.len() - matches.len();
+    let added = Match { left: points.points.len(), right: None, measure: -1.0, fit: None, ..matches[0] };
+    matches.push(Match {
+        left_px: [added.left_px[0] + 0.25, added.left_px[1]],
+        right_px: [added.right_px[0] + 0.25, added.right_px[1]],
+        ..added
+    });
+    let oriented = orient_matches(&matches, &interior.unwrap(), &settings.orientation).unwrap();
+    let used = matches.len() - oriented.rejected.len();
+    let edits = ReportEdits { added_px: vec![matches[matches.len() - 1].left_px], rejected, measured: 1, matches };
+    let mut report = Report::new(images_of(images), input, settings, None).edited(edits.clone());
+    assert_eq!(report.steps()[..2], ["this run, edited", "moments"]);
+    let html = report.html().unwrap();
+    assert!(html.contains(&format!("Edits by hand: {rejected} matches rejected, 1 measured.")));
+    assert!(html.contains(&format!("{} matches of {} left points", edits.matches.len(), points.points.len() + 1)));
+    assert!(html.contains(&format!("Oriented from {used} points")) || html.contains(&format!("from {used} points")));
+    // Values, counts and errors of this run are those of the edited matches; the strategy of the same settings is as it was found.
+    let [with, without] = [&html, &plain].map(|html| cells_after(html, "Table 2.", "matches used"));
+    assert_eq!(with[0], used.to_string());
+    assert_eq!(with[1..], without[1..]);
+    assert_ne!(with[0], without[0]);
+    assert_eq!(without[0], without[1]);
+    let by_hand = cells_after(&html, "What became of the left points", "of these: rejected by hand");
+    assert_eq!(by_hand, [rejected.to_string().as_str(), "–", "–", "–", "–", "–"]);
+    let kappa = row_after(&html, "Table 3.", "κ");
+    let digits = kappa[0][kappa[0].find('.').unwrap() + 1..].find('<').unwrap();
+    assert!(kappa[0].starts_with(&format!("{:.digits$}<", oriented.parameters.kappa_deg).replace('-', "−")), "{}", kappa[0]);
+}
+
+#[test]
+fn errors_and_what_they_belong_to_have_two_significant_digits_of_them() {
+    // by and bz and their errors are a ten-thousandth of the true ones.
+    let html = report_with(&small(), "small", |settings, base_mm| settings.orientation.base_mm = Some(1e-4 * base_mm)).html().unwrap();
+    for symbol in ["ω", "φ", "κ", "by", "bz"] {
+        let text = |cell: &&str| cell[..cell.find('<').unwrap()].to_string();
+        let errors: Vec<String> = row_after(&html, "Table 2.", symbol).iter().map(text).collect();
+        let values: Vec<String> = row_after(&html, "Table 3.", symbol).iter().map(text).collect();
+        assert_eq!((errors.len(), values.len()), (6, 6));
+        for (error, value) in errors.iter().zip(&values).filter(|(error, _)| *error != "–") {
+            let significant = error.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count();
+            // 0.0995 is written as 0.100.
+            assert!(significant == 2 || (significant == 3 && error.ends_with("00")), "{symbol}: {error}");
+            let digits = |number: &str| number.split('.').nth(1).map_or(0, str::len);
+            assert_eq!(digits(error), digits(value), "{symbol}: {value} ± {error}");
+        }
+    }
+    assert!(!html.contains("ellipse of 0.000") && !html.contains("ellipse 0.0 ×"));
+}
+
+#[test]
+fn a_report_names_its_cameras_and_where_they_come_from() {
+    let (images, input, settings) = by_moments();
+    let report = |input: &PairInput, exif: Option<ExifCamera>, settings: &PairSettings| {
+        let images = images_of(images.clone()).map(|image| ReportImage { exif: exif.clone(), ..image });
+        Report::new(images, input.clone(), settings.clone(), None).html().unwrap()
+    };
+    let camera = input.camera.unwrap();
+    // A given camera of measured marks is known without error.
+    let given = report(&input, None, &settings);
+    assert_eq!(cells_after(&given, "<caption>Cameras", "From"), ["given"; 2]);
+    let focal = format!("{}", camera.focal_mm);
+    assert_eq!(cells_after(&given, "<caption>Cameras", "Focal length, mm"), [focal.as_str(); 2]);
+    let focal_px: f64 = cells_after(&given, "<caption>Cameras", "Focal length, px")[0].parse().unwrap();
+    assert!((focal_px * 0.254 / camera.focal_mm - 1.0).abs() < 0.01, "{focal_px} px");
+    assert!(!given.contains(">estimated<") && !given.contains("The size of a pixel is not known"));
+    // What is not known of one stands beside it. These few matches tell no more of it.
+    let hardly = PairInput { camera: Some(tiepoint::CameraMm { uncertainty: Some(CameraUncertainty::EXIF), ..camera }), ..input.clone() };
+    assert_eq!(cells_after(&report(&hardly, None, &settings), "<caption>Cameras", "Focal length, mm"), ["153.4 ± 7.7"; 2]);
+    // What the file of a digital photo names, without marks.
+    let exif = ExifCamera {
+        make: Some("Maker".into()),
+        model: Some("M1".into()),
+        focal_mm: 24.0,
+        pixel_mm: Some(0.06),
+        origin: CameraOrigin::Exif35Mm,
+        ..ExifCamera::default()
+    };
+    let digital = report(&PairInput::default(), Some(exif), &settings);
+    let from = cells_after(&digital, "<caption>Cameras", "From");
+    assert!(from[0].starts_with("EXIF (35 mm equivalent): Maker M1"), "{from:?}");
+    assert!(cells_after(&digital, "<caption>Cameras", "Focal length, mm")[0].starts_with("24.0 ± 1.2"));
+    assert!(cells_after(&digital, "<caption>Cameras", "Focal length, px")[0].starts_with("400 ± 20"));
+    // A focal length in px has no mm.
+    let in_px = report(&PairInput { camera: Some(tiepoint::CameraMm::of_focal_px(400.0)), ..PairInput::default() }, None, &settings);
+    assert!(in_px.contains("<th>Focal length, px</th>") && !in_px.contains("<th>Focal length, mm</th>"));
+    assert!(in_px.contains("The size of a pixel is not known"));
 }

@@ -52,6 +52,11 @@ impl CameraMm {
         Self::without_distortion(focal_px * NOMINAL_PIXEL_MM, Some(NOMINAL_PIXEL_MM))
     }
 
+    /// Whether the side of its pixels is taken to be a thousandth of a mm for want of the true one: its lengths in mm mean nothing then.
+    pub(crate) fn is_nominal(&self) -> bool {
+        self.pixel_mm == Some(NOMINAL_PIXEL_MM)
+    }
+
     /// The camera that a file names, with what is not known of it: principal point in the middle of the image and no distortion, but where
     /// XMP says more. A photo with fewer pixels than it was taken with is taken to be resized, and may be cropped within its uncertainty.
     ///

@@ -8,6 +8,6 @@ mod settings;
 
 pub(crate) use drawing::{dots, strokes};
 pub(crate) use figures::{correlations, histogram};
-pub(crate) use numbers::{count, fixed, percent, round_below, rounded, significant, typeset, with_error};
+pub(crate) use numbers::{count, digits_of_error, fixed, percent, plus_minus, round_below, rounded, significant, typeset, with_error};
 pub(crate) use page::page;
 pub(crate) use settings::settings_table;

@@ -36,6 +36,23 @@ pub(crate) fn rounded(value: f64) -> String {
     fixed(value, digits_of(value, 1))
 }
 
+/// Digits after the point that show two significant ones of a standard error, 9 at most: those of the value that it belongs to. Where there is no error,
+/// `otherwise` so many.
+pub(crate) fn digits_of_error(error: impl Into<Option<f64>>, otherwise: usize) -> usize {
+    error.into().filter(|error| error.is_finite() && *error > 0.0).map_or(otherwise, |error| digits_of(error, 2).min(9))
+}
+
+/// A number with its standard error, both with two significant digits of it; without one as [`with_error`].
+pub(crate) fn plus_minus(value: f64, error: Option<f64>) -> String {
+    match error.filter(|error| error.is_finite() && *error > 0.0) {
+        None => with_error(value, None),
+        Some(error) => {
+            let digits = digits_of_error(error, 0);
+            format!("{} ± {}", fixed(value, digits), fixed(error, digits))
+        }
+    }
+}
+
 /// A number with the digits that its standard error is written with; without one with six significant digits at most.
 pub(crate) fn with_error(value: f64, error: Option<f64>) -> String {
     if let Some(error) = error.filter(|error| *error > 0.0) {
@@ -110,6 +127,12 @@ mod tests {
         assert_eq!(
             [(3512.3456, Some(0.123)), (-0.012_345_6, None), (800.0, None)].map(|(v, e)| with_error(v, e)),
             ["3512.346", "−0.0123456", "800"]
+        );
+        assert_eq!([4.3e-6, 0.0995, 12.0, 1e-12].map(|error| digits_of_error(error, 4)), [7, 3, 0, 9]);
+        assert_eq!([None, Some(0.0), Some(f64::NAN)].map(|error| digits_of_error(error, 4)), [4; 3]);
+        assert_eq!(
+            [(-1.46e-5, Some(4.3e-6)), (5678.94, Some(12.3)), (153.024, None), (0.0, Some(0.0))].map(|(v, e)| plus_minus(v, e)),
+            ["−0.0000146 ± 0.0000043", "5679 ± 12", "153.024", "0"]
         );
         assert_eq!([0.05, 2.0, 500.0].map(rounded), ["0.05", "2", "500"]);
         assert_eq!([0.7, 1.0, 34.0, 99.0].map(round_below), [0.5, 1.0, 20.0, 50.0]);

@@ -3,7 +3,7 @@
 use super::steps::Report;
 use super::unknowns::UNKNOWNS;
 use super::{figures, picture};
-use crate::html::{correlations, count, fixed, histogram, strokes, typeset};
+use crate::html::{correlations, count, fixed, histogram, significant, strokes, typeset};
 use crate::{Error, FiducialModel, PhotoInput, PointStatistics, RelativeOrientation, orient_fiducials};
 use maud::{Markup, html};
 
@@ -139,16 +139,16 @@ pub fn precision(report: &Report, orientation: &RelativeOrientation) -> Markup {
     let base_errors = study.errors.map(|e| [e[3], e[4]]).filter(|e| e.iter().all(|v| v.is_finite()));
     html! {
         dl {
-            dt { "σ₀ of a photo coordinate" } dd { (fixed(orientation.sigma0_mm.map(|s| 1000.0 * s), 2)) " µm = " (fixed(study.sigma0_px(), 3)) " px" }
+            dt { "σ₀ of a photo coordinate" } dd { (significant(orientation.sigma0_mm.map(|s| 1000.0 * s))) " µm = " (fixed(study.sigma0_px(), 3)) " px" }
             dt { "Degrees of freedom" } dd { (count(orientation.degrees_of_freedom)) }
             dt { "Matches used" } dd { (count(study.used())) " of " (count(study.result.matching.matches.len())) }
             @if let Some(ellipse) = &orientation.base_ellipse_95_mm {
                 dt { "by and bz together, 95 %" }
-                dd { "ellipse of " (fixed(ellipse.semi_major, 3)) " × " (fixed(ellipse.semi_minor, 3)) " mm" }
+                dd { "ellipse of " (significant(ellipse.semi_major)) " × " (significant(ellipse.semi_minor)) " mm" }
             }
             dt { "Condition" } dd { (fixed(orientation.condition, 0)) }
             dt { "Misfit to a plane" } dd { (fixed(orientation.plane_misfit, 1)) " σ₀" }
-            dt { "Parallax beside a rotation" } dd { (fixed(orientation.parallax_beside_rotation_mm, 3)) " mm" }
+            dt { "Parallax beside a rotation" } dd { (significant(orientation.parallax_beside_rotation_mm)) " mm" }
             @if let Some(test) = &orientation.global_test {
                 dt { "Global test" }
                 dd { (fixed(test.statistic, 1)) ", expected between " (fixed(test.lower, 1)) " and " (fixed(test.upper, 1)) ": " (if test.passed { "passed" } else { "failed" }) }
@@ -158,7 +158,7 @@ pub fn precision(report: &Report, orientation: &RelativeOrientation) -> Markup {
         }
         p.note { "σ₀ is computed from y-parallaxes: a wrong match along its epipolar line leaves it unchanged." }
         div.pair {
-            (correlations(&UNKNOWNS.map(|(symbol, _, _)| symbol), &orientation.correlations, "Correlations of the unknowns"))
+            (correlations(&UNKNOWNS.map(|(symbol, _)| symbol), &orientation.correlations, "Correlations of the unknowns"))
             @if let Some(ellipse) = &orientation.base_ellipse_mm { (figures::ellipse(ellipse, base_errors)) }
         }
     }

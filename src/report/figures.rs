@@ -1,7 +1,7 @@
 //! Drawing of the report: error ellipse of the base.
 
 use crate::ErrorEllipse;
-use crate::html::fixed;
+use crate::html::significant;
 use maud::{Markup, html};
 
 /// The standard error ellipse of by and bz; a cross where the truth lies.
@@ -9,8 +9,11 @@ pub fn ellipse(ellipse: &ErrorEllipse, error: Option<[f64; 2]>) -> Markup {
     let far = error.map_or(0.0, |[x, y]| x.abs().max(y.abs()));
     let scale = 70.0 / (2.0 * ellipse.semi_major).max(1.15 * far).max(f64::MIN_POSITIVE);
     let turned = format!("rotate({:.2})", -ellipse.bearing_deg);
-    let words =
-        format!("by, bz: standard error ellipse {} × {} µm", fixed(1000.0 * ellipse.semi_major, 1), fixed(1000.0 * ellipse.semi_minor, 1));
+    let words = format!(
+        "by, bz: standard error ellipse {} × {} µm",
+        significant(1000.0 * ellipse.semi_major),
+        significant(1000.0 * ellipse.semi_minor)
+    );
     html! {
         figure {
             figcaption { (words) "; dashed: twice as large, 2 standard errors" @if error.is_some() { "; cross: truth" } }

@@ -1,6 +1,6 @@
 //! What a report is made of.
 
-use crate::{ExifCamera, FiveParameters, GreyImage, PairImage};
+use crate::{ExifCamera, FiveParameters, GreyImage, Match, PairImage};
 
 /// An image of the report.
 #[derive(Debug, Clone)]
@@ -41,4 +41,17 @@ impl ReportTruth {
         let FiveParameters { by_mm, bz_mm, .. } = self.orientation;
         FiveParameters { by_mm: scale * by_mm, bz_mm: scale * bz_mm, ..self.orientation }
     }
+}
+
+/// The matches of the run after edits by hand, in place of those that it finds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReportEdits {
+    /// Those that take part, positions in px.
+    pub matches: Vec<Match>,
+    /// Left positions in px of the points that were measured by hand beside those that the operator finds.
+    pub added_px: Vec<[f64; 2]>,
+    /// How many matches were rejected by hand.
+    pub rejected: usize,
+    /// How many matches have a place that was measured by hand.
+    pub measured: usize,
 }

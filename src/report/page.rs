@@ -3,7 +3,7 @@
 use super::input::ReportImage;
 use super::picture::{self, Layer};
 use super::steps::Report;
-use super::{details, tables};
+use super::{camera, details, tables};
 use crate::html::{count, dots, fixed, page, percent, settings_table, typeset};
 use crate::{Error, GreyImage, PairSettings};
 use maud::{Markup, html};
@@ -33,6 +33,7 @@ impl Report {
             (tables::orientations(self))
             (tables::differences(self))
             h2 { "Interior orientation" }
+            (camera::cameras(self)?)
             (details::interior(self)?)
             h2 { "Relative orientation of this run" }
             @match &run.result.orientation {
@@ -65,6 +66,12 @@ impl Report {
                     }
                 }
                 li { (count(matches.len())) " matches of " (count(run.result.left.points.len())) " left points by this run's strategy." }
+                @if let Some(edits) = &self.edits {
+                    li {
+                        "Edits by hand: " (count(edits.rejected)) " matches rejected, " (count(edits.measured)) " measured. This run is that of the edited "
+                        "matches; the other strategies match by themselves."
+                    }
+                }
                 li { strong { (typeset(&run.result.verdict().to_string())) } }
                 @if let Ok(o) = &run.result.orientation {
                     li { (count(run.used())) " matches took part, σ₀ " (fixed(run.sigma0_px(), 3)) " px; " (count(o.rejected.len())) " gross errors rejected." }

@@ -1,6 +1,6 @@
 //! The steps of a report: each matches the pair in one way.
 
-use super::input::{ReportImage, ReportTruth};
+use super::input::{ReportEdits, ReportImage, ReportTruth};
 use super::study::{Study, plan, study};
 use crate::{Error, PairInput, PairSettings};
 
@@ -11,6 +11,7 @@ pub struct Report {
     pub(super) input: PairInput,
     pub(super) settings: PairSettings,
     pub(super) truth: Option<ReportTruth>,
+    pub(super) edits: Option<ReportEdits>,
     pub(super) plan: Vec<(&'static str, PairSettings)>,
     pub(super) studies: Vec<Study>,
 }
@@ -19,7 +20,14 @@ impl Report {
     /// A report of a pair; nothing is computed yet.
     pub fn new(images: [ReportImage; 2], input: PairInput, settings: PairSettings, truth: Option<ReportTruth>) -> Self {
         let plan = plan(&settings);
-        Self { images, input, settings, truth, plan, studies: Vec::new() }
+        Self { images, input, settings, truth, edits: None, plan, studies: Vec::new() }
+    }
+
+    /// The same of matches that were edited by hand: this run is made of them; the other strategies match by themselves.
+    #[must_use]
+    pub fn edited(mut self, edits: ReportEdits) -> Self {
+        self.plan[0].0 = "this run, edited";
+        Self { edits: Some(edits), ..self }
     }
 
     /// What each step does, in their order.
@@ -33,12 +41,15 @@ impl Report {
     /// As [`match_pair`](crate::match_pair), and those of a truth that does not fit the images.
     pub fn step(&mut self) -> Result<bool, Error> {
         let Some((name, settings)) = self.plan.get(self.studies.len()) else { return Ok(false) };
-        let done = self.studies.iter().find(|study| study.settings.resolved() == settings.resolved());
+        let edits = self.edits.as_ref().filter(|_| self.studies.is_empty());
+        // What was edited is no result of these settings alone.
+        let unedited = self.studies.iter().skip(usize::from(self.edits.is_some()));
+        let done = unedited.clone().find(|study| study.settings.resolved() == settings.resolved());
         let study = match done {
             Some(study) => Study { name, ..study.clone() },
             None => {
                 let images = self.images.each_ref().map(ReportImage::pair_image);
-                study(name, settings, images, &self.input, self.truth.as_ref())?
+                study(name, settings, images, &self.input, (self.truth.as_ref(), edits))?
             }
         };
         self.studies.push(study);

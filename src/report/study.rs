@@ -1,11 +1,12 @@
 //! One way of matching the pair, and what came of it.
 
-use super::input::ReportTruth;
-use super::unknowns::five;
+use super::input::{ReportEdits, ReportTruth};
+use super::unknowns::{PRINTED_DIGITS, five};
+use crate::html::digits_of_error;
 use crate::pair::sigma0_of_all_mm;
 use crate::{
-    DenseTruth, Error, MatchScore, Operator, PairImage, PairInput, PairResult, PairSettings, Refinement, Strategy, match_pair,
-    score_matches,
+    DenseTruth, Error, InterestPoint, MatchScore, NoOrientation, Operator, PairImage, PairInput, PairResult, PairSettings, Refinement,
+    Strategy, judged, match_pair, orient_matches, score_matches,
 };
 
 /// A run of the pair.
@@ -41,16 +42,20 @@ pub fn plan(settings: &PairSettings) -> Vec<(&'static str, PairSettings)> {
     std::iter::once(("this run", settings.clone())).chain(others).collect()
 }
 
-/// Matches, orients and scores the pair.
+/// Matches, orients and scores the pair; where there are edits, its edited matches.
 pub fn study(
     name: &'static str,
     settings: &PairSettings,
     images: [PairImage<'_>; 2],
     input: &PairInput,
-    truth: Option<&ReportTruth>,
+    (truth, edits): (Option<&ReportTruth>, Option<&ReportEdits>),
 ) -> Result<Study, Error> {
     let [left, right] = images;
-    let result = match_pair(left, right, input, settings)?;
+    let found = match_pair(left, right, input, settings)?;
+    let result = match edits {
+        Some(edits) => with_edits(found, edits, settings)?,
+        None => found,
+    };
     let score = truth.map(|truth| {
         let matches: Vec<[f64; 4]> =
             result.matching.matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
@@ -71,6 +76,25 @@ pub fn study(
     Ok(Study { name, settings: settings.clone(), result, score: score.transpose()?, errors })
 }
 
+/// The pair with its edited matches, and the orientation of these. Why images have none whatever their matches are stays as it is.
+fn with_edits(found: PairResult, edits: &ReportEdits, settings: &PairSettings) -> Result<PairResult, Error> {
+    let mut result = found;
+    result.left.points.extend(edits.added_px.iter().map(|[x, y]| InterestPoint { x: *x, y: *y, value: 0.0 }));
+    result.matching.matches.clone_from(&edits.matches);
+    result.matching.counts.matches = edits.matches.len();
+    let interior = match (&result.orientation, &result.interior) {
+        (Ok(_) | Err(NoOrientation::Refused { .. }), Some(interior)) => interior,
+        _ => return Ok(result),
+    };
+    let points = [result.left.points.len(), result.right.points.len()];
+    let orientation = match orient_matches(&edits.matches, interior, &settings.resolved().orientation) {
+        Err(error) if error.is_usage() => return Err(error),
+        Ok(oriented) => Ok(judged(oriented, &edits.matches, interior, Some(points))),
+        Err(error) => Err(NoOrientation::Refused { error }),
+    };
+    Ok(PairResult { orientation, ..result })
+}
+
 impl Study {
     /// σ₀ in px of the left image.
     pub fn sigma0_px(&self) -> Option<f64> {
@@ -85,6 +109,12 @@ impl Study {
         let found = self.result.orientation.as_ref().ok().filter(|found| found.cameras.is_none())?;
         let sigma0_mm = sigma0_of_all_mm(&self.result.matching.matches, interior, found.turn_deg, &self.settings.orientation)?;
         Some(sigma0_mm / interior.left.pixel_mm())
+    }
+
+    /// Digits after the point of an unknown, of its errors and of its interval: those of its standard error.
+    pub fn digits(&self, unknown: usize) -> usize {
+        let errors = self.result.orientation.as_ref().ok().and_then(|o| o.standard_errors);
+        digits_of_error(errors.map(|errors| five(&errors)[unknown]), PRINTED_DIGITS)
     }
 
     /// Matches that the adjustment used.

@@ -4,8 +4,8 @@ use super::input::ReportTruth;
 use super::paper::PAPER;
 use super::steps::Report;
 use super::study::Study;
-use super::unknowns::{UNKNOWNS, five};
-use crate::html::{count, fixed, percent};
+use super::unknowns::{PRINTED_DIGITS, UNKNOWNS, five};
+use crate::html::{count, digits_of_error, fixed, percent, significant};
 use crate::{Denominator, FiveParameters, MatchOptions, MatchScore, Rule, Texts};
 use maud::{Markup, html};
 
@@ -49,6 +49,10 @@ pub fn refusals(report: &Report) -> Markup {
             (head(&report.studies, "", false))
             tbody {
                 @for rule in applied { tr { th { @if rule != Rule::Matched { "Rejected: " } (Texts::english().label(&rule)) } @for study in &report.studies { td { (count(number(study, rule))) } } } }
+                @if let Some(edits) = &report.edits {
+                    (of_this_run(report, "of these: rejected by hand", edits.rejected))
+                    (of_this_run(report, "measured by hand, in their place or beside them", edits.measured))
+                }
                 tr {
                     th { "of the matched: gross errors" }
                     @for study in &report.studies { td { (count(study.result.matching.matches.len() - study.used())) } }
@@ -56,6 +60,11 @@ pub fn refusals(report: &Report) -> Markup {
             }
         }
     }
+}
+
+/// A row of a figure that this run alone has.
+fn of_this_run(report: &Report, title: &str, number: usize) -> Markup {
+    html! { tr { th { (title) } td { (count(number)) } @for _ in 1..report.studies.len() { td { "–" } } } }
 }
 
 /// A count of a score.
@@ -132,6 +141,8 @@ pub fn standard_errors(report: &Report) -> Markup {
 /// Table 3: the orientation by each strategy, with the truth where it is known.
 pub fn orientations(report: &Report) -> Markup {
     let value = |study: &Study| study.result.orientation.as_ref().ok().map(|o| five(&o.parameters));
+    // The truth is compared with the most precise of them.
+    let finest = |k: usize| report.studies.iter().map(|study| study.digits(k)).max().unwrap_or(PRINTED_DIGITS);
     html! {
         table tabindex="0" {
             caption { "Table 3. Relative orientation by each strategy" }
@@ -150,20 +161,26 @@ pub fn orientations(report: &Report) -> Markup {
                     @if report.truth.is_some() { td.truth {} }
                     @for _ in &PAPER.orientations { td.paper {} }
                 }
-                @for (k, (symbol, unit, digits)) in UNKNOWNS.into_iter().enumerate() {
+                tr {
+                    th { i { "b" } " " small { "mm, fixed" } }
+                    @for study in &report.studies { td { (significant(study.result.orientation.as_ref().ok().map(|o| o.base_mm))) } }
+                    @if let Some(truth) = &report.truth { td.truth { (significant(truth.base_mm)) } }
+                    @for _ in &PAPER.orientations { td.paper { "–" } }
+                }
+                @for (k, (symbol, unit)) in UNKNOWNS.into_iter().enumerate() {
                     tr {
                         th { i { (symbol) } " " small { (unit) } }
-                        @for study in &report.studies { td { (fixed(value(study).map(|v| v[k]), digits)) } }
-                        @if let Some(truth) = &report.truth { td.truth { (fixed(five(&truth.orientation)[k], digits)) } }
-                        @for printed in &PAPER.orientations { td.paper { (fixed(five(&printed.values)[k], digits)) } }
+                        @for study in &report.studies { td { (fixed(value(study).map(|v| v[k]), study.digits(k))) } }
+                        @if let Some(truth) = &report.truth { td.truth { (fixed(five(&truth.orientation)[k], finest(k))) } }
+                        @for printed in &PAPER.orientations { td.paper { (fixed(five(&printed.values)[k], PRINTED_DIGITS)) } }
                     }
                 }
             }
             @if report.truth.is_some() {
                 tbody {
                     tr.subhead { th colspan=(report.studies.len() + 5) { "true errors, and how many of its standard errors each is" } }
-                    @for (k, (symbol, unit, digits)) in UNKNOWNS.into_iter().enumerate() {
-                        tr { th { i { (symbol) } " " small { (unit) } } @for study in &report.studies { (true_error(study, k, digits)) } }
+                    @for (k, (symbol, unit)) in UNKNOWNS.into_iter().enumerate() {
+                        tr { th { i { (symbol) } " " small { (unit) } } @for study in &report.studies { (true_error(study, k)) } }
                     }
                 }
             }
@@ -186,10 +203,10 @@ fn has_other_base(report: &Report, truth: &ReportTruth) -> bool {
     report.studies.iter().any(|study| study.result.orientation.as_ref().is_ok_and(|o| o.base_mm != truth.base_mm))
 }
 
-fn true_error(study: &Study, k: usize, digits: usize) -> Markup {
+fn true_error(study: &Study, k: usize) -> Markup {
     let standard = study.result.orientation.as_ref().ok().and_then(|o| o.total_standard_errors.or(o.standard_errors)).map(|e| five(&e)[k]);
     let error = study.errors.map(|e| e[k]);
-    html! { td { (fixed(error, digits)) " " small { "(" (fixed(error.zip(standard).map(|(e, s)| e / s), 1)) ")" } } }
+    html! { td { (fixed(error, study.digits(k))) " " small { "(" (fixed(error.zip(standard).map(|(e, s)| e / s), 1)) ")" } } }
 }
 
 fn head(studies: &[Study], last: &str, paper: bool) -> Markup {
@@ -198,11 +215,11 @@ fn head(studies: &[Study], last: &str, paper: bool) -> Markup {
 
 fn parameter_rows(studies: &[Study], of: impl Fn(&Study) -> Option<[f64; 5]>, paper: Option<&FiveParameters>) -> Markup {
     html! {
-        @for (k, (symbol, unit, digits)) in UNKNOWNS.into_iter().enumerate() {
+        @for (k, (symbol, unit)) in UNKNOWNS.into_iter().enumerate() {
             tr {
                 th { i { (symbol) } " " small { (unit) } }
-                @for study in studies { td { (fixed(of(study).map(|e| e[k]), digits)) } }
-                @if let Some(paper) = paper { td.paper { (fixed(five(paper)[k], digits)) } }
+                @for study in studies { td { (fixed(of(study).map(|e| e[k]), study.digits(k))) } }
+                @if let Some(paper) = paper { td.paper { (fixed(five(paper)[k], PRINTED_DIGITS)) } }
             }
         }
     }
@@ -280,12 +297,13 @@ fn difference_of_precision(moments: &Study) -> Markup {
         @if let Some(scaled) = scaled {
             "Standard errors grow with σ₀ and fall with the root of the number of matches. With the paper's σ₀ and number of matches, the "
             "geometry of this pair gives "
-            @for (k, (symbol, unit, digits)) in UNKNOWNS.into_iter().enumerate() {
-                @if k > 0 { ", " } i { (symbol) } " " (fixed(scaled[k], digits)) " " (unit) " (printed " (fixed(five(&PAPER.standard_errors)[k], digits)) ")"
+            @for (k, (symbol, unit)) in UNKNOWNS.into_iter().enumerate() {
+                @if k > 0 { ", " } i { (symbol) } " " (fixed(scaled[k], digits_of_error(scaled[k], PRINTED_DIGITS))) @if unit != "°" { " " } (unit) " (printed "
+                (fixed(five(&PAPER.standard_errors)[k], PRINTED_DIGITS)) ")"
             }
             ". "
             @let ratios = std::array::from_fn::<f64, 5, _>(|k| five(&PAPER.standard_errors)[k] / scaled[k]);
-            "The printed ones are " (fixed(ratios.into_iter().fold(f64::INFINITY, f64::min), 1)) " to " (fixed(ratios.into_iter().fold(0.0, f64::max), 1))
+            "The printed ones are " (significant(ratios.into_iter().fold(f64::INFINITY, f64::min))) " to " (significant(ratios.into_iter().fold(0.0, f64::max)))
             " times these: σ₀ and number do not explain that, and the paper gives neither its base nor where its points lie."
         }
     }

@@ -107,7 +107,7 @@ fn present(value: &JsValue, name: &str) -> Option<JsValue> {
     Some(field(value, name)).filter(|found| !found.is_null() && !found.is_undefined())
 }
 
-fn floats(value: &JsValue, name: &'static str) -> JsResult<Vec<f64>> {
+pub(super) fn floats(value: &JsValue, name: &'static str) -> JsResult<Vec<f64>> {
     field(value, name).unchecked_ref::<Numbers>().read(name)
 }
 
@@ -140,20 +140,20 @@ fn read_set(value: &JsValue) -> JsResult<PointSet> {
     Ok(PointSet { counts: read("counts", &field(value, "counts"))?, threshold, ..set })
 }
 
-/// The opposite of `pack_matches`.
-fn read_matches(value: &JsValue) -> JsResult<MatchSet> {
+/// What is said of arrays that do not belong together.
+fn other_lengths() -> JsValue {
+    let allowed = "three arrays of as many matches and four of as many points".into();
+    thrown(Error::InvalidArgument { what: "matches", got: "arrays of other lengths".into(), wanted: allowed })
+}
+
+/// The matches of a `MatchResult`, without what became of the points.
+pub(super) fn read_matched(value: &JsValue) -> JsResult<Vec<Match>> {
     let (matches, fits) = (floats(value, "matches")?, floats(value, "fits")?);
-    let (places, measures) = (floats(value, "places")?, floats(value, "measures")?);
     let (matches, fits) = (rows::<5>("matches", &matches)?, rows::<5>("fits", &fits)?);
-    let (places, measures) = (rows::<2>("places", &places)?, rows::<2>("measures", &measures)?);
     let indices = Uint32Array::new(&field(value, "indices")).to_vec();
     let indices = indices.as_chunks::<2>().0;
-    let (rules, best) = (Uint8Array::new(&field(value, "rules")).to_vec(), Int32Array::new(&field(value, "best")).to_vec());
-    let of_matches = [fits.len(), indices.len()].iter().all(|length| *length == matches.len());
-    let of_points = [best.len(), places.len(), measures.len()].iter().all(|length| *length == rules.len());
-    if !of_matches || !of_points {
-        let allowed = "three arrays of as many matches and four of as many points".into();
-        return Err(thrown(Error::InvalidArgument { what: "matches", got: "arrays of other lengths".into(), wanted: allowed }));
+    if [fits.len(), indices.len()].iter().any(|length| *length != matches.len()) {
+        return Err(other_lengths());
     }
     let fit = |[correlation, xx, xy, yy, iterations]: [f64; 5]| {
         (!correlation.is_nan()).then_some(Fit { correlation, covariance: [xx, xy, yy], iterations: iterations as usize })
@@ -163,6 +163,18 @@ fn read_matches(value: &JsValue) -> JsResult<MatchSet> {
         let right = (*right != u32::MAX).then_some(*right as usize);
         Match { left: *left as usize, right, left_px: [xl, yl], right_px: [xr, yr], measure, fit: fit(*fitted) }
     });
+    Ok(matched.collect())
+}
+
+/// The opposite of `pack_matches`.
+fn read_matches(value: &JsValue) -> JsResult<MatchSet> {
+    let matches = read_matched(value)?;
+    let (places, measures) = (floats(value, "places")?, floats(value, "measures")?);
+    let (places, measures) = (rows::<2>("places", &places)?, rows::<2>("measures", &measures)?);
+    let (rules, best) = (Uint8Array::new(&field(value, "rules")).to_vec(), Int32Array::new(&field(value, "best")).to_vec());
+    if [best.len(), places.len(), measures.len()].iter().any(|length| *length != rules.len()) {
+        return Err(other_lengths());
+    }
     let verdicts = rules.iter().zip(best).zip(places).zip(measures).map(|(((rule, best), place), [measure, second])| Verdict {
         rule: Rule::ALL.get(usize::from(*rule)).copied().unwrap_or(Rule::NoCandidate),
         best: usize::try_from(best).ok(),
@@ -171,7 +183,7 @@ fn read_matches(value: &JsValue) -> JsResult<MatchSet> {
         second: *second,
         fit: None,
     });
-    Ok(MatchSet { matches: matched.collect(), verdicts: verdicts.collect(), counts: read("counts", &field(value, "counts"))? })
+    Ok(MatchSet { matches, verdicts: verdicts.collect(), counts: read("counts", &field(value, "counts"))? })
 }
 
 /// The opposite of `pack_orientation`.

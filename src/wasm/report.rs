@@ -1,8 +1,9 @@
 //! The report of a pair.
 
-use super::convert::{Bytes, JsResult, pack, read, read_options, thrown};
+use super::convert::{Bytes, JsResult, pack, read, read_options, rows, thrown, whole};
 use super::photo::{Photo, read_mask};
-use crate::{Error, FiveParameters, PAPER, PairInput, PairSettings, Report as Core, ReportTruth};
+use super::project::{floats, read_matched};
+use crate::{Error, FiveParameters, PAPER, PairInput, PairSettings, Report as Core, ReportEdits, ReportTruth};
 use js_sys::{Float32Array, Reflect};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
@@ -11,6 +12,18 @@ use wasm_bindgen::{JsCast, JsValue};
 const TYPES: &str = r#"
 /** The known answer of a simulated pair, as `simulate` gives it. */
 export interface ReportTruth { orientation: FiveParameters; base_mm: number; right_position: Float32Array }
+
+/** The matches of a run after edits by hand, in place of those that it finds. */
+export interface ReportEdits {
+    /** Those that take part, as a `MatchResult` has them. */
+    match: Pick<MatchResult, "matches" | "fits" | "indices">;
+    /** Left positions in px of the points that were measured by hand beside those that the operator finds; stride 2. */
+    added_px: Float64Array;
+    /** How many matches were rejected by hand. */
+    rejected: number;
+    /** How many matches have a place that was measured by hand. */
+    measured: number;
+}
 "#;
 
 /// What the paper printed for its own pair.
@@ -28,7 +41,7 @@ pub struct Report {
 #[wasm_bindgen]
 impl Report {
     /// Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
-    /// and row by row, are left out.
+    /// and row by row, are left out. With edits the run is that of the edited matches; the other strategies match by themselves.
     #[allow(clippy::too_many_arguments)]
     #[wasm_bindgen(constructor)]
     pub fn new(
@@ -40,11 +53,13 @@ impl Report {
         #[wasm_bindgen(unchecked_param_type = "ReportTruth | null")] truth: &JsValue,
         left_mask: Option<Bytes>,
         right_mask: Option<Bytes>,
+        #[wasm_bindgen(unchecked_optional_param_type = "ReportEdits | null")] edits: &JsValue,
     ) -> JsResult<Report> {
         let [left_name, right_name]: [String; 2] = read("names", names)?;
         let (input, settings) = (read_options::<PairInput>("input", input)?, read_options::<PairSettings>("settings", settings)?);
         let images = [left.named(left_name, read_mask(left_mask)?)?, right.named(right_name, read_mask(right_mask)?)?];
-        Ok(Self { core: Core::new(images, input, settings, read_truth(truth)?) })
+        let core = Core::new(images, input, settings, read_truth(truth)?);
+        Ok(Self { core: if edits.is_null() || edits.is_undefined() { core } else { core.edited(read_edits(edits)?) } })
     }
 
     /// What each step does, in their order.
@@ -62,6 +77,17 @@ impl Report {
     pub fn html(&mut self) -> JsResult<String> {
         self.core.html().map_err(thrown)
     }
+}
+
+fn read_edits(value: &JsValue) -> JsResult<ReportEdits> {
+    let field = |name: &str| Reflect::get(value, &name.into()).unwrap_or_default();
+    let number = |name| whole(name, field(name).as_f64().unwrap_or(f64::NAN));
+    Ok(ReportEdits {
+        matches: read_matched(&field("match"))?,
+        added_px: rows::<2>("added_px", &floats(value, "added_px")?)?.to_vec(),
+        rejected: number("rejected")?,
+        measured: number("measured")?,
+    })
 }
 
 fn read_truth(value: &JsValue) -> JsResult<Option<ReportTruth>> {

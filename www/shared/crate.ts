@@ -50,6 +50,7 @@ export type {
   PointCounts,
   ReducedImage,
   RelativeOrientation,
+  ReportEdits,
   ReportTruth,
   Rule,
   SampleImage,

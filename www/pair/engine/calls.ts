@@ -21,6 +21,7 @@ import type {
   PhotoInfo,
   ReducedImage,
   OrientedPair,
+  ReportEdits,
   ReportTruth,
   SamplePair,
   SampleImage,
@@ -88,6 +89,8 @@ export interface ReportInput {
   truth: ReportTruth | null;
   /** Left and right. */
   masks: [Uint8Array | null, Uint8Array | null];
+  /** Null where the matches are as they were found. */
+  edits: ReportEdits | null;
 }
 
 /** An area of a mask: corners of its outline in px, stride 2. Without `grey` nothing is masked yet. */

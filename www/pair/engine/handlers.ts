@@ -146,12 +146,12 @@ function reportInHand(): Report {
   return report;
 }
 
-async function reportOpen({ images, names, input, settings, truth, masks: [ofLeft, ofRight] }: Input<'reportOpen'>): Promise<string[]> {
+async function reportOpen({ images, names, input, settings, truth, masks: [ofLeft, ofRight], edits }: Input<'reportOpen'>): Promise<string[]> {
   report?.free();
   report = null;
   const left = await decode(images[0]);
   const right = await decode(images[1]);
-  report = new Report(left, right, names, input, settings, truth, ofLeft, ofRight);
+  report = new Report(left, right, names, input, settings, truth, ofLeft, ofRight, edits);
   left.free();
   right.free();
   return report.steps();

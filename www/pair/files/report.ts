@@ -1,7 +1,9 @@
 /** The report of the pair on the screen: made in a worker of its own, step by step, and saved as one file. */
 import { Cancelled } from '../../shared/engine/client';
+import type { ReportEdits } from '../../shared/crate';
 import type { ReportInput } from '../engine/calls';
 import type { Engine } from '../engine/engine';
+import { countsByHand, editedPair } from '../state/edited';
 import { isEdited } from '../state/kept';
 import { measuredPhoto } from '../state/marks';
 import { truthOf } from '../state/truth';
@@ -10,6 +12,22 @@ import type { Store } from '../state/store';
 import { baseName } from './export';
 import { save } from '../../shared/files/save';
 import { say } from '../../shared/text/words';
+
+/** The matches with the edits by hand; null where nothing of them stands. */
+function editsOf(state: State): ReportEdits | null {
+  const edited = isEdited(state) ? editedPair(state) : null;
+  if (edited === null || edited.match === edited.found) return null;
+  const { left, match, found } = edited;
+  const { matches, fits, indices } = match;
+  const added = left.subarray(3 * found.rules.length);
+  const { rejected, manual } = countsByHand(match);
+  return {
+    match: { matches, fits, indices },
+    added_px: Float64Array.from({ length: (2 * added.length) / 3 }, (_, i) => added[3 * Math.floor(i / 2) + (i % 2)] ?? NaN),
+    rejected,
+    measured: manual,
+  };
+}
 
 /** What the report is made of; null where an image is missing. */
 function inputOf(state: State): ReportInput | null {
@@ -25,6 +43,7 @@ function inputOf(state: State): ReportInput | null {
     settings,
     truth: truth === null ? null : { orientation: truth.orientation, base_mm: truth.baseMm, right_position: truth.rightPosition },
     masks: [masks.left?.grey ?? null, masks.right?.grey ?? null],
+    edits: editsOf(state),
   };
 }
 
@@ -43,9 +62,9 @@ export async function exportReport(store: Store, engine: Engine): Promise<void> 
     tell(say('report-step-of-writing', { steps: steps.length + 1 }));
     const page = await client.call('reportPage', null);
     save(new Blob([page], { type: 'text/html' }), `${baseName(store.state)}-report.html`);
-    // It matches the images by each strategy anew.
+    // Other strategies match by themselves.
     const text = say('the-report-was-saved-it');
-    store.dispatch({ type: 'notice', notice: isEdited(store.state) ? { kind: 'info', text } : null });
+    store.dispatch({ type: 'notice', notice: input.edits === null ? null : { kind: 'info', text } });
   } catch (error) {
     if (!(error instanceof Cancelled)) throw error;
     store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('the-report-was-cancelled') } });

@@ -1,4 +1,5 @@
 /** What of the pair on the screen can be saved now. */
+import { isEdited } from './kept';
 import { isCurrent } from './keys';
 import { isBusy, progress, shownPair } from './select';
 import type { State } from './state';
@@ -18,7 +19,8 @@ export function savable(state: State): Record<(typeof EXPORTS)[number], boolean>
     // It says the settings, too: a run that was cancelled has left results of others.
     json: rests && done === wanted && results.pointsLeft !== undefined,
     project: rests && isCurrent(state, 'match'),
-    report: rests && areThere,
+    // It is of edited matches where there are edits.
+    report: rests && areThere && (!isEdited(state) || isCurrent(state, 'match')),
     epipolar: rests && areThere && orientation !== null,
     png: images.left !== null || images.right !== null,
   };
