@@ -322,6 +322,12 @@ test('edits that wait for their block to be found again wait for it after the pa
   const [one, other] = [added, later].map((state) => formerParts(state.former, state.history).get('block/former'));
   assert.ok(one.bytes > 0 && one.value.now === '');
   assert.equal(other.value, formerParts(added.former, added.history).get('block/former').value);
+  // Where places of an orthophoto lay is kept, too.
+  const spots = { images: ['a'], tie_points: [2, 4], given: 1, places: [{ seen: [{ image: 0, at_px: [1, 2], side_px: 9 }] }] };
+  const placed = { ...without, former: without.former.map((/** @type {object} */ one) => ({ ...one, spots })) };
+  assert.deepEqual(loadedAnew(placed).former, placed.former);
+  const spoilt = formerParts([{ ...placed.former[0], spots: { ...spots, given: 'x' } }], without.history);
+  assert.throws(() => formerFrom(new Map([...spoilt].map(([name, { value }]) => [name, value])), without.history), /former\[0\]\.spots\.given/);
   // Earlier releases kept none; what is damaged is named.
   assert.deepEqual(formerFrom(new Map(), without.history), []);
   const damaged = new Map([['block/former', { now: 'a', former: [{ tiePoints: 1 }] }]]);

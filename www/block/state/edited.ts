@@ -4,7 +4,7 @@ import type { History } from '../../shared/state/history';
 import type { Position } from '../../shared/state/pane';
 import type { MeasuredBy, PointSource } from '../../../pkg/wasm/tiepoint.js';
 import type { EditStep } from './edits';
-import type { Former } from './former';
+import type { Awaiting, Former } from './former';
 import type { BlockView } from './view';
 
 /** What says how good a block is, before an edit and after it. */
@@ -47,9 +47,11 @@ export interface Edits {
   draft: Draft | null;
   /** Edits of blocks that were found before this one. */
   former: readonly Former[];
+  /** Edits of the former block until this one lies on the orthophoto; null where none wait for it. */
+  awaiting: Awaiting | null;
 }
 
-export const UNEDITED: Edits = { history: NO_HISTORY, before: null, adjusting: false, draft: null, former: [] };
+export const UNEDITED: Edits = { history: NO_HISTORY, before: null, adjusting: false, draft: null, former: [], awaiting: null };
 
 export function figuresOf(view: BlockView): Figures {
   const { sigma0Px, rmsePx, oriented, points, checks, images } = view;
