@@ -502,6 +502,16 @@ test('places of the orthophoto are counted once, and edits that are lost for the
   assert.deepEqual([lost, places], [4, { held: 2, lost: 2, edits: 3 }]);
 });
 
+test('differences of other check points than before are said to be of others', () => {
+  const { comparedText, figuresOf } = page.edited;
+  const checks = (/** @type {number} */ points, /** @type {number} */ off) => ({ ...viewOf([10]), checks: { points, rmse_m: [off, 0, 0] } });
+  const text = (/** @type {any} */ before, /** @type {any} */ now) => comparedText(figuresOf(before), figuresOf(now));
+  assert.match(text(checks(2, 0.212), checks(1, 0.216)), / · check points 0\.212 → 0\.216 m \(2 → 1 point\)$/);
+  assert.match(text(checks(2, 0.212), checks(2, 0.216)), / · check points 0\.212 → 0\.216 m$/);
+  assert.match(text(checks(1, 0.2), viewOf([10])), / · check points 0\.200 → – m \(1 → 0 points\)$/);
+  assert.equal(text(viewOf([10]), viewOf([10])), 'σ₀ 0.500 → 0.500 px · RMSE 0.300 → 0.300 px');
+});
+
 test('a surveyed point that was left out comes back with its use', () => {
   const { standingOf } = page.edits;
   const off = { kind: 'set_use', point: 2, use: null };
