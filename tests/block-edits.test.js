@@ -322,6 +322,12 @@ test('edits that wait for their block to be found again wait for it after the pa
   const [one, other] = [added, later].map((state) => formerParts(state.former, state.history).get('block/former'));
   assert.ok(one.bytes > 0 && one.value.now === '');
   assert.equal(other.value, formerParts(added.former, added.history).get('block/former').value);
+  // Where places of an orthophoto lay is kept, too.
+  const spots = { images: ['a'], tie_points: [2, 4], given: 1, places: [{ seen: [{ image: 0, at_px: [1, 2], side_px: 9 }] }] };
+  const placed = { ...without, former: without.former.map((/** @type {object} */ one) => ({ ...one, spots })) };
+  assert.deepEqual(loadedAnew(placed).former, placed.former);
+  const spoilt = formerParts([{ ...placed.former[0], spots: { ...spots, given: 'x' } }], without.history);
+  assert.throws(() => formerFrom(new Map([...spoilt].map(([name, { value }]) => [name, value])), without.history), /former\[0\]\.spots\.given/);
   // Earlier releases kept none; what is damaged is named.
   assert.deepEqual(formerFrom(new Map(), without.history), []);
   const damaged = new Map([['block/former', { now: 'a', former: [{ tiePoints: 1 }] }]]);
@@ -494,6 +500,16 @@ test('places of the orthophoto are counted once, and edits that are lost for the
   const { lost, places } = page.carrying.carriedOver({ edits: edits.map((edit) => [edit]), done: edits.length }, before, before, false, again);
   // Of place 0 all but the measurement holds, of place 2 all, of place 1 nothing.
   assert.deepEqual([lost, places], [4, { held: 2, lost: 2, edits: 3 }]);
+});
+
+test('differences of other check points than before are said to be of others', () => {
+  const { comparedText, figuresOf } = page.edited;
+  const checks = (/** @type {number} */ points, /** @type {number} */ off) => ({ ...viewOf([10]), checks: { points, rmse_m: [off, 0, 0] } });
+  const text = (/** @type {any} */ before, /** @type {any} */ now) => comparedText(figuresOf(before), figuresOf(now));
+  assert.match(text(checks(2, 0.212), checks(1, 0.216)), / · check points 0\.212 → 0\.216 m \(2 → 1 point\)$/);
+  assert.match(text(checks(2, 0.212), checks(2, 0.216)), / · check points 0\.212 → 0\.216 m$/);
+  assert.match(text(checks(1, 0.2), viewOf([10])), / · check points 0\.200 → – m \(1 → 0 points\)$/);
+  assert.equal(text(viewOf([10]), viewOf([10])), 'σ₀ 0.500 → 0.500 px · RMSE 0.300 → 0.300 px');
 });
 
 test('a surveyed point that was left out comes back with its use', () => {

@@ -144,3 +144,50 @@ test('GNSS positions are taken beside the images that they name, without their e
   store.dispatch({ type: 'options', options: { positions: null } });
   assert.equal(page.state.wantedKey(store.state).includes('positions'), false);
 });
+
+test('a table that is given after a run is said beside what is to be done, not in place of it', async () => {
+  const { store, take } = taking();
+  const images = ['one.jpg', 'two.jpg'].map((name, id) => ({ id, name, file: new Blob([]) }));
+  store.dispatch({ type: 'files', files: images, truth: null });
+  // Before a run it is the answer.
+  await take({ 'flight.csv': 'image,lat,lon,height\none.jpg,50.5,8.25,171.5\n' });
+  assert.deepEqual(store.state.notice, { kind: 'info', text: 'GNSS positions of images from flight.csv.', beside: false });
+  const points = { count: 0, taking: 0, sources: new Float64Array(), rays: new Uint16Array() };
+  const view = {
+    partial: false,
+    oriented: 2,
+    images,
+    points,
+    connections: [],
+    surveyed: [],
+    givenControl: 0,
+    orthophoto: null,
+    crs: null,
+    checks: null,
+    origin: null,
+  };
+  const run = () => {
+    const key = page.state.wantedKey(store.state);
+    store.dispatch({ type: 'started', key });
+    store.dispatch({ type: 'done', key, view, files: images, seconds: 1 });
+  };
+  run();
+  assert.ok(!page.state.isOutdated(store.state));
+  await take({ 'other.csv': 'image,lat,lon,height\none.jpg,50.5,8.25,171.6\n' });
+  assert.ok(page.state.isOutdated(store.state));
+  assert.deepEqual(store.state.notice, { kind: 'info', text: 'GNSS positions of images from other.csv.', beside: true });
+  // Points that wait for their measurements change nothing of the run: the verdict stays, with what was taken.
+  run();
+  await take({ 'points.csv': POINTS });
+  assert.ok(!page.state.isOutdated(store.state));
+  assert.equal(store.state.notice.beside, false);
+  const marks = ['one', 'two'].flatMap((image) => [1, 2, 3, 4].map((point) => `${image}.jpg,P${point},${100 * point},${70 * point}\n`)).join('');
+  await take({ 'marks.csv': marks });
+  assert.ok(page.state.isOutdated(store.state) || store.state.notice.kind === 'problem', store.state.notice.text);
+  assert.match(store.state.notice.text, /marks\.csv/);
+  run();
+  store.dispatch({ type: 'options', options: { settings: block_settings({ placing: { crs: 'EPSG:5555' } }) } });
+  run();
+  await take({ 'geoid.gtx': 'x' });
+  assert.deepEqual(store.state.notice, { kind: 'info', text: 'Geoid from geoid.gtx.', beside: true });
+});

@@ -22,6 +22,8 @@ before(async () => {
       'block/state/editing',
       'block/state/naming',
       'block/state/words',
+      'block/state/former',
+      'block/state/spots',
       'block/files/edit',
       'block/view/orthophoto/block',
     ]),
@@ -372,6 +374,76 @@ test('edits of tie points that a block without an image lost come back with it, 
   assert.deepEqual(back.history.edits, [edits[0], edits[2], edits[3]]);
 });
 
+test('edits of places wait through a run until the block lies on the orthophoto again, where it is said what of all edits is lost', () => {
+  const reduce = page.reducer.reduceBlock;
+  const { awaitedOf } = page.former;
+  const points = (/** @type {number} */ count) => ({ count, taking: count, sources: new Float64Array(count), rays: new Uint16Array(count) });
+  const whole = view([], { givenControl: 0, points: points(3) });
+  const fewer = { ...view([], { givenControl: 0, points: points(2) }), images: [{ name: 'photo_1.png', rays: 0 }] };
+  const spots = (/** @type {string[]} */ images) => ({ images, tie_points: null, given: 0, places: [] });
+  const names = ['orthophoto_1', 'orthophoto_2', 'orthophoto_3'];
+  const onGround = (/** @type {any} */ state, /** @type {any[]} */ again = [], places = names) =>
+    reduce(state, {
+      type: 'onGround',
+      view: { ...state.shown.view, surveyed: places.map((name, control) => ({ name, control })), givenControl: places.length },
+      edits: [],
+      ground: { key: '', before: new Blob([]), places: spots(state.shown.view.images.map((/** @type {any} */ { name }) => name)) },
+      again,
+    });
+  const found = (/** @type {any} */ state, /** @type {any} */ block) => reduce(state, { type: 'done', key: 'k', view: block, files: [], seconds: 1 });
+  const reject = (/** @type {number} */ control) => [{ kind: 'reject_points', points: [{ ground_control: control }] }];
+  const tie = [{ kind: 'reject_points', points: [{ tie_point: 5 }] }];
+  const image = [{ kind: 'reject_images', images: [0] }];
+  const edited = [tie, reject(1), image, reject(2)].reduce(
+    (state, edits) => reduce(state, { type: 'edit', edits }),
+    onGround(found(after(...run(after(), whole)), whole)),
+  );
+  const marked = reduce(reduce(edited, { type: 'goto', done: 3 }), {
+    type: 'mark',
+    step: { kind: 'measure', marks: [{ image: 'photo_1.png', point: 'G1', x_px: 1, y_px: 2 }], after: 3 },
+  });
+  // Found anew without an image: while it is off the orthophoto nothing of a place can hold.
+  const off = found(marked, fewer);
+  assert.deepEqual([off.history.edits, off.history.done], [[image], 1]);
+  assert.deepEqual(awaitedOf(off).spots.images, ['photo_1.png', 'photo_2.png']);
+  const again = [{ before: 1, now: 0, is_same_spot: true, images: [0] }];
+  const on = onGround(off, again, names.slice(0, 2));
+  assert.deepEqual([on.history.edits, on.history.done, on.marks.edits[0].after], [[reject(0), image], 2, 2]);
+  assert.equal(
+    on.notice.text,
+    '2 edits by hand were kept. 1 edit of points of the former block does not apply to the new one. ' +
+      'What was done to 1 place of the orthophoto holds where it lies again. ' +
+      '1 undone edit of points of the former block cannot be redone in the new one: reject orthophoto_3.',
+  );
+  // It is said until something is done.
+  assert.ok(on.notice.beside);
+  assert.equal(on.awaiting, null);
+  // Found with the image again, edits of tie points and of places have what they are about.
+  const back = found(on, whole);
+  assert.ok(!back.history.edits.flat().some((/** @type {any} */ edit) => edit.points?.some((/** @type {object} */ point) => 'ground_control' in point)));
+  assert.deepEqual(awaitedOf(back).spots.images, ['photo_1.png', 'photo_2.png']);
+  const there = onGround(back, [
+    { before: 1, now: 2, is_same_spot: true, images: [0, 1] },
+    { before: 2, now: 0, is_same_spot: true, images: [0, 1] },
+  ]);
+  assert.deepEqual([there.history.edits, there.history.done, there.marks.edits[0].after], [[tie, reject(2), image, reject(0)], 3, 3]);
+  // What is edited before it lies there is not overwritten.
+  const meanwhile = reduce(off, { type: 'edit', edits: [{ kind: 'restore_images', images: [0] }] });
+  assert.equal(awaitedOf(meanwhile), null);
+  assert.deepEqual(onGround(meanwhile, again).history.edits, [image, [{ kind: 'restore_images', images: [0] }]]);
+});
+
+test('places of an orthophoto are known by the names of the images that show them', () => {
+  const seen = (/** @type {number} */ image, x = 7) => ({ image, at_px: [x, 7], side_px: 100 });
+  const before = { images: ['a', 'b', 'c'], tie_points: null, given: 2, places: [{ seen: [seen(0), seen(2, 9)] }, { seen: [seen(1)] }] };
+  assert.deepEqual(page.spots.amongImages(before, [{ name: 'c' }, { name: 'a' }]), {
+    images: ['c', 'a'],
+    tie_points: null,
+    given: 2,
+    places: [{ seen: [seen(1), seen(0, 9)] }, { seen: [] }],
+  });
+});
+
 /** A block that lies on an orthophoto of 100 by 80 m, whose origin is (500, 900): two images and three of its places, one of them rejected by hand, beside a ground control point. */
 const georeference = { origin: [500, 900], by_column: [1, 0], by_row: [0, -1] };
 const onIt = (/** @type {number} */ x, /** @type {number} */ y) => ({ position: [x, y, 10], difference_m: [0, 0, 0], standard_errors_m: [null, null, null] });
@@ -416,6 +488,17 @@ test('the orthophoto shows the block that lies on its ground, unless each image 
   ].reduce(reduce, reduce(given, { type: 'purpose', purpose: 'block' }));
   assert.equal(chosenPlaced(both), null);
   assert.equal(chosenPlaced(reduce(both, { type: 'purpose', purpose: 'images' })).file.id, 1);
+});
+
+test('what was said of places that were found is said to be of before edits by hand, while these hold', () => {
+  const { onOrthophotoText } = page.showing;
+  const of = (/** @type {string} */ kind, /** @type {object[]} */ ...edits) =>
+    onOrthophotoText({ view: { orthophoto: { kind, inCrs: false, text: 'It lies there.' } }, edits });
+  assert.equal(of('linked'), 'It lies there.');
+  assert.equal(of('linked', { kind: 'reject_images', images: [0] }), 'Before edits by hand: It lies there.');
+  // Places by hand are counted as they are.
+  assert.equal(of('by_hand', { kind: 'reject_images', images: [0] }), 'It lies there.');
+  assert.equal(onOrthophotoText({ view: { orthophoto: null }, edits: [] }), '');
 });
 
 test('a press on the orthophoto chooses what lies there of the block, and keys go through it', () => {

@@ -3,6 +3,7 @@
 
 import { availableParallelism } from 'node:os';
 import { call_parameters, defaults, message, parameters } from '../node.js';
+import { optionName } from '../block/option-name.js';
 import { nearest } from './args.js';
 import { UsageError } from './errors.js';
 
@@ -69,7 +70,7 @@ const PLACEHOLDERS = { '': 'N', mm: 'MM', m: 'M', px: 'PX', '°': 'DEG', 'grey v
 function parameterOption(p, standard, called) {
   const { key, path, section } = p;
   const negates = standard === true;
-  const name = called ?? (p.named || `${negates ? 'no-' : ''}${key.replace(/^.*\./, '').replaceAll('_', '-')}`);
+  const name = called ?? `${negates && !p.named ? 'no-' : ''}${optionName(p)}`;
   if (p.kind === 'flag') return { ...flag(name, negates ? `Switches this off: ${p.help}` : p.help), key, path, section, negates };
   const placeholder = { choice: 'NAME', text: 'TEXT' }[/** @type {string} */ (p.kind)] ?? PLACEHOLDERS[p.unit];
   const help = placeholder ? p.help : `${p.help} Its unit is ${p.unit}.`;

@@ -334,10 +334,9 @@ fn units_that_are_not_known_thousands_and_tables_of_opendronemap_are_refused_for
         ("Punkt;Rechtswert;Hochwert;Höhe\nP1;446 833,25;5 594 521,50;124,5\n", "'446 833,25' for x in line 2, which seems"),
         ("Punkt;Y;X;H\nP1;2'600'000.12;1'200'000.34;540.1\n", "'1'200'000.34' for x in line 2, which seems"),
         (
-            "name;x;y;z\nP1;446,833;594,521;1,240\n",
-            "'P1;446,833;594,521;1,240' in line 2, where no number of the table says whether commas",
+            "name\tx\ty\tz\nP1\t446,833\t594,521\t124\n",
+            "'P1 446,833 594,521 124' in line 2, where no number of the table says whether commas",
         ),
-        ("name\tx\ty\tz\nP1\t446,833\t594,521\t124\n", "whether commas stand before thousands"),
         (
             "EPSG:32632\n4490.1 5300.2 300.5 100 200 a.jpg P1\n",
             "the table of control points: got the first line 'EPSG:32632', as tables of OpenDroneMap begin",
@@ -349,6 +348,9 @@ fn units_that_are_not_known_thousands_and_tables_of_opendronemap_are_refused_for
     assert!(
         marks_message("EPSG:32632\n4490.1 5300.2 300.5 100 200 a.jpg P1\n").contains("the table of image measurements: got the first line")
     );
+    // A local net to the millimetre, as tables with semicolons have it.
+    let local = parse_ground_control_points("Punkt;Rechts;Hoch;H\nP1;446,833;594,521;124,020\n").unwrap();
+    assert_eq!(local[0].position, [446.833, 594.521, 124.02]);
     let inches = parse_image_positions("image,Easting [inch],Northing [inch]\na,1.5,2\n").unwrap_err().to_string();
     assert!(inches.contains("the table of image positions: got the column 'Easting [inch]', in a unit"), "{inches}");
     let thousands = parse_image_positions("Bild;Rechtswert;Hochwert\na;446.833,25;5.594.521,50\n").unwrap_err().to_string();

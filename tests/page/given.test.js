@@ -176,10 +176,17 @@ test('a table of GNSS positions is known among files, georeferences photos that 
   assert.doesNotMatch((await part(page, 'block-results').getAttribute('class')) ?? '', /is-stale/);
   // Coordinates of a plane wait for their system.
   await give(page, 'positions', 'plane.csv', `image,easting,northing\n${rows[0]?.split(',')[0]},500000,5500000\n`);
+  await status(page, /^6 images\. Images or settings have changed: press Run\. GNSS positions of images from plane\.csv\.$/);
   await says(page, 'block-positions-problem', /^$/);
   await page.locator('input[data-key="placing.crs"]').first().fill('');
   await page.locator('input[data-key="placing.crs"]').first().blur();
-  await says(page, 'block-positions-problem', /plane\.csv: .*without a coordinate system/);
+  await says(page, 'block-positions-problem', /plane\.csv: .*without a coordinate system.* \(Settings: “Coordinate system”\)$/);
+  // The answer opens the field that is missing.
+  await part(page, 'tab-block-orthophoto').click();
+  await part(page, 'block-run').click();
+  await status(page, /^Not run: .*\(Settings: “Coordinate system”\)/);
+  await part(page, 'block-next').click();
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('data-key')), 'placing.crs');
   assert.match((await part(page, 'block-results').getAttribute('class')) ?? '', /is-stale/);
   await part(page, 'block-positions-remove').click();
   await says(page, 'block-positions-name', /^None\. GNSS positions of images/);

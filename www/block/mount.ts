@@ -7,6 +7,7 @@ import type { Taker } from '../shared/files/drop';
 import type { Keepable } from '../shared/files/keepable';
 import { fileButton } from '../shared/panel/picker';
 import { makeNear } from '../shared/panel/near';
+import { reveal as revealField } from '../shared/panel/reach';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { Holder } from '../shared/state/store';
 import { breath } from '../shared/engine/breath';
@@ -141,6 +142,12 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
       whyPlaced: () => {
         setDrawer('table', true);
         showTab('tab-block-placed');
+      },
+      openSetting: (key) => {
+        const field = settings.element.querySelector<HTMLElement>(`[data-key="${key}"]`);
+        if (field === null) return;
+        revealField(field);
+        field.focus();
       },
     },
     drawerButton('details', say('details'), 'block-details', results.element, say('details-of-the-results')),

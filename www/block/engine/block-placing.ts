@@ -1,7 +1,9 @@
 /** Places the block on the orthophoto, in a worker of its own: the block on the screen stays until the placed one takes its place. */
 import { Cancelled, WorkerClient } from '../../shared/engine/client';
 import { say } from '../../shared/text/words';
+import { awaitedOf } from '../state/former';
 import { groundKey } from '../state/purpose';
+import { amongImages } from '../state/spots';
 import { imagesOfBlock } from '../state/state';
 import type { BlockCalls } from './calls';
 import type { BlockEngine, BlockStore } from './engine';
@@ -31,11 +33,14 @@ export class BlockPlacing {
       const before = shown.ground?.before ?? (await this.engine.project());
       const linked = await this.linked({ project: before, ground, options: placing.options });
       const read = await this.engine.read(linked, this.store.state.truth);
-      const again = await read.placesAgain();
+      const awaited = awaitedOf(this.store.state);
+      const spots = awaited?.spots ?? null;
+      const own = spots === null ? null : amongImages(spots, read.view.images);
+      const [places, again] = [await read.places(), await read.placesAgain(own)];
       // Another block came meanwhile.
       if (this.stopped || this.store.state.shown?.found !== shown.found) return false;
       read.hold();
-      this.store.dispatch({ type: 'onGround', view: read.view, edits: read.edits, ground: { key, before }, again });
+      this.store.dispatch({ type: 'onGround', view: read.view, edits: read.edits, ground: { key, before, places }, again });
       return true;
     } catch (error) {
       if (this.stopped || error instanceof Cancelled) return false;

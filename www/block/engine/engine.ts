@@ -1,6 +1,6 @@
 /** Runs a block: hands its jobs to the pool, keeps its records, and reports to the store. */
 import type { BlockJob } from '../../../pkg/block/index.js';
-import type { BlockEdit, BlockFlight, BlockModel, BlockSettings, PlaceAgain, PointDetail } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, BlockFlight, BlockModel, BlockPlaces, BlockSettings, PlaceAgain, PointDetail } from '../../../pkg/wasm/tiepoint.js';
 import { breakdownOf, Cancelled, WorkerClient } from '../../shared/engine/client';
 import { WorkerPool } from '../../shared/engine/pool';
 import { sentence } from '../../shared/text/format';
@@ -26,8 +26,10 @@ import { messageOf } from '../../shared/text/messages';
 export interface ReadBlock extends OpenedBlock {
   /** Puts it in the place of the one on the screen; not called where it is not wanted. */
   hold: () => void;
-  /** Which of its places of an orthophoto lie where those of the block on the screen lie, of the same block placed before. */
-  placesAgain: () => Promise<PlaceAgain[]>;
+  /** Where its images show its places of an orthophoto. */
+  places: () => Promise<BlockPlaces>;
+  /** Which of these lie where those of a block before lay, as its images are numbered; null: of the block on the screen. */
+  placesAgain: (before: BlockPlaces | null) => Promise<PlaceAgain[]>;
 }
 
 export type BlockStore = Holder<BlockState, BlockAction>;
@@ -155,11 +157,12 @@ export class BlockEngine {
       this.heldIn = worker.generation;
       this.spare = null;
     };
-    const placesAgain = async () => {
+    const ofShown = async () => {
       await this.regained();
-      return worker.call('blockPlacesAgain', { before: await this.block.call('blockPlaces', null) });
+      return this.block.call('blockPlaces', null);
     };
-    return { ...opened, hold, placesAgain };
+    const placesAgain = async (before: BlockPlaces | null) => worker.call('blockPlacesAgain', { before: before ?? (await ofShown()) });
+    return { ...opened, hold, places: () => worker.call('blockPlaces', null), placesAgain };
   }
 
   /** The block that is held with these edits, in place of those that it has; it stays as it is where they are refused. */

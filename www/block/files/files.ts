@@ -303,8 +303,8 @@ export class BlockFiles {
     const problem = problemsOf(this.store.state)[given];
     const said = say('from', { texts: TEXTS[given], name: file.name });
     if (problem === undefined)
-      this.tell('info', (given === 'control' || given === 'marks') && waitsForMarks(this.store.state) ? `${said} ${controlText(this.store.state)}` : said);
-    else if (problem === PARTNER_MISSING[given]) this.tell('info', say('from-2', { texts: TEXTS[given], name: file.name, problem }));
+      this.tellTaken((given === 'control' || given === 'marks') && waitsForMarks(this.store.state) ? `${said} ${controlText(this.store.state)}` : said);
+    else if (problem === PARTNER_MISSING[given]) this.tellTaken(say('from-2', { texts: TEXTS[given], name: file.name, problem }));
     else this.tell('problem', say('the-block-cannot-be-run', { problem: sentence(problem) }));
   }
 
@@ -319,7 +319,7 @@ export class BlockFiles {
   takeGeoid(file: File): void {
     this.store.dispatch({ type: 'options', options: { geoid: { id: newId(), name: file.name, file } } });
     const problem = problemsOf(this.store.state).geoid;
-    if (problem === undefined) this.tell('info', say('from', { texts: say('geoid'), name: file.name }));
+    if (problem === undefined) this.tellTaken(say('from', { texts: say('geoid'), name: file.name }));
     else this.tell('problem', say('the-block-cannot-be-run', { problem: sentence(problem) }));
   }
 
@@ -438,6 +438,11 @@ export class BlockFiles {
 
   private tell(kind: 'info' | 'busy' | 'problem', text: string): void {
     this.store.dispatch({ type: 'notice', notice: { kind, text } });
+  }
+
+  /** Says what was taken: of a block that was made without it beside what is to be done then. */
+  private tellTaken(text: string): void {
+    this.store.dispatch({ type: 'notice', notice: { kind: 'info', text, beside: isOutdated(this.store.state) } });
   }
 
   /** Says that nothing that was given is read; while something runs, beside that. */

@@ -1,7 +1,8 @@
 /** Edits of the blocks that were found before the present one, as the browser keeps them: which of them nothing was edited since is told by what their lists are. */
+import type { BlockPlaces } from '../../../pkg/wasm/tiepoint.js';
 import type { Kept } from '../../shared/files/database';
 import { doneFrom } from '../../shared/files/journal';
-import { likeOf, listOf, nameOf, objectOf } from '../../shared/files/keepable';
+import { likeOf, listOf, nameOf, objectOf, orNull } from '../../shared/files/keepable';
 import type { History } from '../../shared/state/history';
 import { remember } from '../../shared/state/remember';
 import { say } from '../../shared/text/words';
@@ -11,6 +12,9 @@ import type { Names } from '../state/naming';
 import { bytesOfStep, stepFrom } from './edit';
 
 const FORMER = 'block/former';
+
+/** About what a place takes in one of the images that show it, in bytes. */
+const SPOT = 60;
 
 type Edits = History<EditStep>['edits'];
 
@@ -40,8 +44,13 @@ const keptFormers = remember((former: readonly Former[], now: Edits | null): Kep
     now: now === null ? '' : nameOf(now),
     former: former.map((one) => ({ ...one, historyName: nameOf(one.history.edits), keptName: nameOf(one.kept.edits) })),
   },
-  bytes: former.flatMap(({ history, kept }) => [...history.edits, ...kept.edits]).reduce((sum, step) => sum + bytesOfStep(step), 0),
+  bytes: former.reduce((sum, one) => sum + bytesOf(one), 0),
 }));
+
+function bytesOf({ history, kept, spots }: Former): number {
+  const places = spots?.places.reduce((sum, { seen }) => sum + SPOT * seen.length, 0) ?? 0;
+  return [...history.edits, ...kept.edits].reduce((sum, step) => sum + bytesOfStep(step), places);
+}
 
 /** `history`: the present one as it was read. Earlier releases kept none. @throws Error naming what is damaged */
 export function formerFrom(parts: ReadonlyMap<string, unknown>, history: History<EditStep>): readonly Former[] {
@@ -60,7 +69,7 @@ export function formerFrom(parts: ReadonlyMap<string, unknown>, history: History
     return { edits: read, done: doneFrom(done, read.length, `${name}.done`) };
   };
   return listOf(value.former, 'former', (one, name) => {
-    const { tiePoints, names, history: own, kept: left, left: counts, places, historyName, keptName } = objectOf(one, name);
+    const { tiePoints, names, history: own, kept: left, left: counts, places, spots, historyName, keptName } = objectOf(one, name);
     return {
       tiePoints: likeOf(tiePoints, '', `${name}.tiePoints`),
       names: namesFrom(names, `${name}.names`),
@@ -68,6 +77,8 @@ export function formerFrom(parts: ReadonlyMap<string, unknown>, history: History
       kept: historyFrom(left, keptName, `${name}.kept`),
       left: listOf(counts, `${name}.left`, (count, at) => likeOf(count, 0, at)),
       places: listOf(places, `${name}.places`, (place, at) => likeOf(place, 0, at)),
+      // Earlier releases kept none.
+      spots: orNull(spots ?? null, (own) => placesFrom(own, `${name}.spots`)),
     };
   });
 }
@@ -81,4 +92,14 @@ function namesFrom(value: unknown, name: string): Names {
     connected: new Set([...connected].map((pair) => likeOf(pair, '', `${name}.connected`))),
     givenControl: likeOf(givenControl, 0, `${name}.givenControl`),
   };
+}
+
+/** @throws Error naming the field that is damaged */
+export function placesFrom(value: unknown, name: string): BlockPlaces {
+  const places = objectOf(value, name);
+  const { images, given, places: all } = places;
+  listOf(images, `${name}.images`, (image, at) => likeOf(image, '', at));
+  likeOf(given, 0, `${name}.given`);
+  listOf(all, `${name}.places`, (place, at) => listOf(objectOf(place, at).seen, `${at}.seen`, objectOf));
+  return places as unknown as BlockPlaces;
 }

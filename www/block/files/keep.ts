@@ -17,7 +17,7 @@ import type { Former } from '../state/former';
 import type { OnGround } from '../state/placing';
 import { bytesOfMarks, bytesOfStep, markStepFrom, stepFrom } from './edit';
 import { passIds } from './ids';
-import { formerFrom, formerParts } from './keep-former';
+import { formerFrom, formerParts, placesFrom } from './keep-former';
 import { keptPlacing, placingFrom, rastersOf, sizeOfPlaced } from './keep-placing';
 import { messageOf } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
@@ -209,9 +209,14 @@ function theSame(edits: readonly BlockEdit[], history: readonly BlockEdit[]): re
 
 /** @throws Error naming the field that is damaged */
 function groundFrom(value: unknown): OnGround {
-  const { key, before } = objectOf(value, 'shown.ground');
+  const { key, before, places } = objectOf(value, 'shown.ground');
   if (!(before instanceof Blob)) throw new Error(say('the-finished-block-is-damaged'));
-  return { key: likeOf(key, '', 'shown.ground.key'), before };
+  return {
+    key: likeOf(key, '', 'shown.ground.key'),
+    before,
+    // Earlier releases kept none.
+    places: orNull(places ?? null, (own) => placesFrom(own, 'shown.ground.places')),
+  };
 }
 
 /** The files that are given beside the images. */

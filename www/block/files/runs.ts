@@ -24,8 +24,12 @@ export class BlockRuns {
     // It stays so when there is a block.
     if (places) this.store.dispatch({ type: 'purpose', purpose: 'block' });
     if (state.onStage === 'orthophoto') this.store.dispatch({ type: 'stage', view: 'map' });
-    if (!lacksPlaceAlone(state)) await this.engine.run();
-    if (this.store.state.running.kind === 'no' && lacksPlaceAlone(this.store.state)) await this.placeBlock();
+    const runs = !lacksPlaceAlone(state);
+    if (runs) await this.engine.run();
+    const { running, notice } = this.store.state;
+    // What became of edits is said until the block lies on the orthophoto, which says it anew.
+    const said = runs && notice?.beside === true ? notice.text : '';
+    if (running.kind === 'no' && lacksPlaceAlone(this.store.state)) await this.placeBlock(said);
   }
 
   /** Places images on the orthophoto: those that are not placed yet, where none are named. */
@@ -52,16 +56,18 @@ export class BlockRuns {
     }
   }
 
-  private async placeBlock(): Promise<void> {
+  /** `said`: what the run said of edits. */
+  private async placeBlock(said: string): Promise<void> {
+    const andSaid = (text: string) => [text, said].join(' ').trimEnd();
     if (imagesOfBlock(this.store.state).length === 0) {
-      this.tell('info', say('a-block-is-placed-by'), true);
+      this.tell('info', andSaid(say('a-block-is-placed-by')), true);
       return;
     }
     this.store.dispatch({ type: 'notice', notice: null });
     try {
-      if (!(await this.block.place())) this.tell('info', say('cancelled-the-block-is-as'), true);
+      if (!(await this.block.place())) this.tell('info', andSaid(say('cancelled-the-block-is-as')), true);
     } catch (error) {
-      this.tell('problem', say('the-block-stays-as-it', { sentence: sentence(messageOf(error)) }));
+      this.tell('problem', andSaid(say('the-block-stays-as-it', { sentence: sentence(messageOf(error)) })));
     }
   }
 

@@ -10,7 +10,7 @@ import { count, fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
 import { isGiven, stepOfDraft } from '../state/draft';
-import { figuresOf } from '../state/edited';
+import { comparedText, figuresOf, figureText } from '../state/edited';
 import type { Figures } from '../state/edited';
 import { editsInForce, isEditable } from '../state/editing';
 import { editOfChoice, indexOfSource, standingOf } from '../state/edits';
@@ -263,18 +263,7 @@ function textOf({ draft, adjusting, before, shown }: BlockState): string {
   }
   if (adjusting) return say('adjusting-the-block');
   if (before === null || shown === null || shown.edits.length === 0) return '';
-  const now = figuresOf(shown.view);
-  const parts = [
-    say('n-0-px', { sigma0_px: px(before.sigma0Px), sigma0_px_2: px(now.sigma0Px) }),
-    say('rmse-px', { rmse_px: px(before.rmsePx), rmse_px_2: px(now.rmsePx) }),
-    now.checksM === null && before.checksM === null ? '' : say('check-points-m', { checks_m: px(before.checksM), checks_m_2: px(now.checksM) }),
-    before.oriented === now.oriented ? '' : say('images-oriented', { oriented: before.oriented, oriented_2: now.oriented }),
-  ];
-  return parts.filter((part) => part !== '').join(' · ');
-}
-
-function px(value: number | null): string {
-  return value === null ? '–' : fixed(value, 3);
+  return comparedText(before, figuresOf(shown.view));
 }
 
 /** The keys of edits: undo and redo wherever the block is shown, the others on the stage and in the tables. */
@@ -399,13 +388,15 @@ function comparison(before: Figures, now: Figures | null): HTMLElement {
       h('td', { class: 'number', testid: `${testid}-now` }, now === null ? '…' : text(now)),
     );
   const head = h('tr', {}, h('th', { scope: 'col' }, say('block')), h('th', { scope: 'col' }, say('before')), h('th', { scope: 'col' }, say('now')));
-  const checks = before.checksM !== null || now?.checksM != null;
+  const checks = before.checks !== null || now?.checks != null;
+  const areOthers = now !== null && before.checks?.points !== now.checks?.points;
   const body = h(
     'tbody',
     {},
-    line('σ₀, px', 'block-compared-sigma0', ({ sigma0Px }) => px(sigma0Px)),
-    line(say('rmse-px-2'), 'block-compared-rmse', ({ rmsePx }) => px(rmsePx)),
-    checks ? line(say('check-points-rmse-m'), 'block-compared-checks', ({ checksM }) => px(checksM)) : null,
+    line('σ₀, px', 'block-compared-sigma0', ({ sigma0Px }) => figureText(sigma0Px)),
+    line(say('rmse-px-2'), 'block-compared-rmse', ({ rmsePx }) => figureText(rmsePx)),
+    checks ? line(say('check-points-rmse-m'), 'block-compared-checks', (of) => figureText(of.checks?.rmseM ?? null)) : null,
+    areOthers ? line(say('check-points-compared'), 'block-compared-check-points', (of) => count(of.checks?.points ?? 0)) : null,
     line(say('images-oriented-2'), 'block-compared-images', ({ oriented }) => count(oriented)),
     line(say('points-2'), 'block-compared-points', ({ points }) => count(points)),
     line(say('observations-5'), 'block-compared-observations', ({ observations }) => count(observations)),

@@ -6,9 +6,11 @@ import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
 import { asFigure } from '../../shared/text/direction';
 import { count, fixed } from '../../shared/text/format';
+import { readable } from '../../shared/text/names';
 import type { BlockStore } from '../engine/engine';
 import { placedFiles } from '../state/placed';
 import { isStale } from '../state/purpose';
+import { onOrthophotoText } from '../state/showing';
 import { isBusy } from '../state/state';
 import type { BlockState, Shown } from '../state/state';
 import type { BlockScore, CheckSummary, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
@@ -30,14 +32,15 @@ export function mountResults(host: HTMLElement, store: BlockStore, takeOff: () =
     body.classList.toggle('is-stale', isStale(store.state));
     const placed = placedOf(store.state);
     const none = placed === null ? h('p', { class: 'note' }, say('no-block-yet-drop-images')) : null;
-    fill(body, ...(shown === null ? [none] : sectionsOf(shown, off)), placed);
+    fill(body, ...(shown === null ? [none] : sectionsOf(shown, off, (text) => readable(store.state.catalogue?.labels ?? null, text))), placed);
   });
   store.watch(['running', 'notice', 'placing'], () => {
     off.disabled = isBusy(store.state);
   });
 }
 
-function sectionsOf(shown: Shown, off: HTMLElement): (HTMLElement | null)[] {
+/** `written`: a message of the crate as the page writes it. */
+function sectionsOf(shown: Shown, off: HTMLElement, written: (text: string) => string): (HTMLElement | null)[] {
   const { view } = shown;
   if (view.partial)
     return [leftOut(view), section(say('so-far'), 'block-facts', facts(partialFacts(view))), section(say('cameras'), 'block-cameras', cameraTable(view))];
@@ -45,11 +48,11 @@ function sectionsOf(shown: Shown, off: HTMLElement): (HTMLElement | null)[] {
     leftOut(view),
     strays(say('masks-without-an-image'), 'block-stray-masks', view.strayMasks, say('no-image-has-their-name')),
     strays(say('image-measurements-without-an-image'), 'block-stray-marks', view.strayMarks, say('not-among-the-images-read')),
-    listOf(say('remarks'), 'block-remarks', view.remarks),
+    listOf(say('remarks'), 'block-remarks', view.remarks.map(written)),
     section(say('block'), 'block-facts', facts(factsOf(view))),
-    onGround(shown, off),
+    onGround(shown, off, written),
     view.score === null ? null : section(say('against-the-truth'), 'block-score', facts(scoreFacts(view.score))),
-    listOf(say('warnings'), 'block-warnings', view.warnings),
+    listOf(say('warnings'), 'block-warnings', view.warnings.map(written)),
     notOriented(view),
     section(say('tie-points-by-number-of'), 'block-by-rays', rayTable(view)),
     section(say('cameras'), 'block-cameras', cameraTable(view)),
@@ -57,9 +60,15 @@ function sectionsOf(shown: Shown, off: HTMLElement): (HTMLElement | null)[] {
 }
 
 /** What came of the orthophoto. */
-function onGround({ view: { orthophoto }, ground }: Shown, off: HTMLElement): HTMLElement | null {
-  if (orthophoto === null) return null;
-  return section(say('orthophoto'), 'block-on-orthophoto', h('p', {}, orthophoto.text), ground === null ? null : h('p', { class: 'buttons' }, off));
+function onGround(shown: Shown, off: HTMLElement, written: (text: string) => string): HTMLElement | null {
+  const { view, ground } = shown;
+  if (view.orthophoto === null) return null;
+  return section(
+    say('orthophoto'),
+    'block-on-orthophoto',
+    h('p', {}, written(onOrthophotoText(shown))),
+    ground === null ? null : h('p', { class: 'buttons' }, off),
+  );
 }
 
 /** What came of images that were placed on the orthophoto by themselves; null where none was tried. */

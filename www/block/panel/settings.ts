@@ -12,6 +12,7 @@ import { problemsOf } from '../state/given';
 import type { Given, GivenText } from '../state/given';
 import { waitsForMarks } from '../state/marks';
 import { controlText } from '../state/words';
+import { readable } from '../../shared/text/names';
 import { say } from '../../shared/text/words';
 
 /** `opener` opens the settings, and says how many were changed. */
@@ -102,7 +103,8 @@ const MASKS = say('none-images-of-the-same');
 function problemOf(store: BlockStore, given: Given): HTMLElement {
   const line = h('p', { class: 'field-problem', testid: `block-${given}-problem` });
   store.watch(['files', 'options', 'marks'], () => {
-    const text = problemsOf(store.state)[given] ?? (given === 'control' && waitsForMarks(store.state) ? controlText(store.state) : '');
+    const found = problemsOf(store.state)[given] ?? (given === 'control' && waitsForMarks(store.state) ? controlText(store.state) : '');
+    const text = readable(store.state.catalogue?.labels ?? null, found);
     if (line.textContent !== text) line.textContent = text;
   });
   return line;

@@ -4,6 +4,7 @@ import { answerCard } from '../../shared/panel/answer';
 import type { Answer, Figure, Next } from '../../shared/panel/answer';
 import { count, sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
+import type { Labels } from '../../shared/text/names';
 import type { BlockStore } from '../engine/engine';
 import { heightsText, placingAnswer, placingRuns } from './placing-answer';
 import { duration, progressBar, runText } from './progress';
@@ -15,9 +16,9 @@ import { unplacedFiles } from '../state/placed';
 import type { Purpose } from '../state/placing';
 import { framesStep } from '../state/frames-step';
 import { asksPurpose, isHeldByHand, isOffGround, lacksPlaceAlone, purposeOf } from '../state/purpose';
-import { isInSystemOf } from '../state/showing';
+import { isInSystemOf, onOrthophotoText } from '../state/showing';
 import { isBusy, isOutdated } from '../state/state';
-import type { BlockState, Shown } from '../state/state';
+import type { BlockCatalogue, BlockState, Shown } from '../state/state';
 import type { BlockView } from '../state/view';
 import { ofLine } from '../../shared/state/notice';
 import { refusedText, say } from '../../shared/text/words';
@@ -42,6 +43,8 @@ export interface BlockAnswerActions {
   savePlaced: () => void;
   /** Shows the table of what was placed. */
   whyPlaced: () => void;
+  /** Shows the field of a setting. */
+  openSetting: (key: string) => void;
 }
 
 /** `details`: the button that shows them. */
@@ -58,11 +61,11 @@ export function mountBlockStatus(store: BlockStore, actions: BlockAnswerActions,
   store.watch(
     (s) => [s] as const,
     ([state]) => {
-      const answer = doubted(answerOf(state, actions), doubtOf(state));
+      const { catalogue } = state;
+      const answer = offeringSetting(readableAnswer(doubted(answerOf(state, actions), doubtOf(state)), catalogue?.labels ?? null), catalogue, actions);
       // Each image and pair would be read out.
       line.setAttribute('aria-live', answer.kind === 'busy' ? 'off' : 'polite');
-      // Messages of the crate name parameters by their keys.
-      show({ ...answer, text: readable(state.catalogue?.labels ?? null, answer.text) });
+      show(answer);
       run.disabled = isBusy(state) || (places(state) ? unplacedFiles(state).length === 0 : state.files.length < 2);
       run.textContent = places(state) ? say('place-them') : state.running.kind === 'ended' ? say('go-on') : say('run');
       run.classList.toggle('primary', answer.next == null && !run.disabled && (state.onStage !== 'orthophoto' || places(state)));
@@ -70,6 +73,24 @@ export function mountBlockStatus(store: BlockStore, actions: BlockAnswerActions,
     },
   );
   return card;
+}
+
+/** Messages of the crate name parameters by their keys, and by options of the command. */
+function readableAnswer({ text, more, said, problem, ...answer }: Answer, labels: Labels | null): Answer {
+  return {
+    ...answer,
+    text: readable(labels, text),
+    ...(more === undefined ? {} : { more: readable(labels, more) }),
+    ...(said === undefined ? {} : { said: readable(labels, said) }),
+    ...(problem === undefined ? {} : { problem: readable(labels, problem) }),
+  };
+}
+
+/** Of a problem that names a setting: its field is what comes next. */
+function offeringSetting(answer: Answer, catalogue: BlockCatalogue | null, { openSetting }: BlockAnswerActions): Answer {
+  if (answer.kind !== 'problem' || answer.next != null) return answer;
+  const named = catalogue?.parameters.find(({ label }) => answer.text.includes(`“${label}”`));
+  return named === undefined ? answer : { ...answer, next: { text: say('open-the-setting', { label: named.label }), act: () => openSetting(named.key) } };
 }
 
 function doubted(answer: Answer, doubt: string): Answer {
@@ -214,7 +235,7 @@ function answered(state: BlockState, shown: Shown, actions: BlockAnswerActions):
       verdict: view.verdict?.kind ?? 'weak',
       text: view.verdict?.text ?? '',
       // Where it lies says more than its counts, which the results have.
-      more: view.orthophoto !== null && isInSystemOf(view) ? view.orthophoto.text : countsOf(shown),
+      more: view.orthophoto !== null && isInSystemOf(view) ? onOrthophotoText(shown) : countsOf(shown),
       figures: figuresOf(view),
       next: sound ? next : why,
     };

@@ -12,7 +12,8 @@ import type { Names } from './naming';
 import type { Choice } from './selection';
 import { withRemoved } from './removing';
 import { figuresOf, UNEDITED } from './edited';
-import { formerOf, nameOfTiePoints, placesBefore, wayBack, withFormer } from './former';
+import { awaitedOf, formerOf, nameOfTiePoints, placesBefore, wayBack, withFormer } from './former';
+import type { Awaiting } from './former';
 import type { Draft, Edits } from './edited';
 import type { BlockEdit, PlaceAgain } from '../../../pkg/wasm/tiepoint.js';
 import { besideEdits } from './marks';
@@ -182,7 +183,8 @@ export function carried({ history, marks, shown, former }: BlockState, view: Blo
     const regained = { ...carriedOver(last.history, last.names, namesOf(view), true), places: NO_PLACES_AGAIN };
     if (regained.lost + regained.aside.length > 0 || last.names.givenControl !== view.givenControl) {
       const { edits, said } = keptOf(regained, back, last.names);
-      return { edits: { ...edits, former }, said };
+      const places = back.edits.map((step) => step.after);
+      return { edits: { ...edits, former, awaiting: { ...last, kept: regained.history, left: regained.left, places, sameTiePoints: true } }, said };
     }
     return { edits: { ...UNEDITED, former, history: last.history, marks: back }, said: saidOfKept(last.history) };
   }
@@ -191,10 +193,10 @@ export function carried({ history, marks, shown, former }: BlockState, view: Blo
   if (isSame && found.lost + found.aside.length === 0 && names.givenControl === view.givenControl)
     return { edits: { ...UNEDITED, former, history, marks }, said: saidOfKept(history) };
   const { edits, said } = keptOf(found, marks, names);
-  if (before === '') return { edits, said };
   const places = marks.edits.map((step) => step.after);
-  const one = { tiePoints: before, names, history, kept: found.history, left: found.left, places };
-  return { edits: { ...edits, former: withFormer(former, one) }, said };
+  const one = { tiePoints: before, names, history, kept: found.history, left: found.left, places, spots: shown.ground?.places ?? null };
+  const awaiting = { ...one, sameTiePoints: isSame };
+  return { edits: { ...edits, former: before === '' ? [] : withFormer(former, one), awaiting }, said };
 }
 
 function saidOfKept(history: History<EditStep>): string {
@@ -206,12 +208,10 @@ function saidOfKept(history: History<EditStep>): string {
  * The same of a block whose tie points are those of the former one, in another system: only places of an orthophoto are others. `isOff`: it was taken off the
  * orthophoto, into whose system places by hand would bring it again. `again`: which places lie where they lay.
  */
-export function carriedToGround(
-  { history, marks, shown, former }: BlockState,
-  view: BlockView,
-  isOff: boolean,
-  again: readonly PlaceAgain[],
-): { edits: Carried; said: string } {
+export function carriedToGround(state: BlockState, view: BlockView, isOff: boolean, again: readonly PlaceAgain[]): { edits: Carried; said: string } {
+  const awaited = isOff ? null : awaitedOf(state);
+  if (awaited !== null) return arrived(awaited, state, view, again);
+  const { history, marks, shown, former } = state;
   const names = shown === null ? NO_NAMES : namesOf(shown.found);
   // Points that were added have other numbers behind others.
   const isSame = names.givenControl === view.givenControl && withoutPlaces(names).surveyed.size === names.surveyed.size;
@@ -226,6 +226,20 @@ export function carriedToGround(
     edits: { ...edits, former: formerOf(former, history, now.history, now.left) },
     said: [said, aside === 0 ? '' : say('places-set-aside', { steps: aside })].filter((part) => part !== '').join(' '),
   };
+}
+
+/** The same of a block that was found anew: its edits are made of all that the one before it had, so that all that is lost is said. */
+function arrived(awaited: Awaiting, { marks, former }: BlockState, view: BlockView, again: readonly PlaceAgain[]): { edits: Carried; said: string } {
+  const { history, names, sameTiePoints } = awaited;
+  const found = carriedOver(history, names, withoutPlaces(namesOf(view)), sameTiePoints, again);
+  const places = placesBefore(awaited, marks.edits);
+  const { edits, said } = keptOf(
+    found,
+    besideEdits(marks, (after, at) => places[at] ?? after),
+    names,
+  );
+  const ofIt = former.map((one) => (one.history === history ? { ...one, kept: found.history, left: found.left } : one));
+  return { edits: { ...edits, former: sameTiePoints ? formerOf(former, history, found.history, found.left) : ofIt }, said };
 }
 
 function allCarried(history: History<EditStep>): CarriedOver {

@@ -1,6 +1,7 @@
 /**
  * Edits that a block found anew could not take over, and has again when it is found as it was: when an image that was taken out comes back, say. Pure.
  */
+import type { BlockPlaces } from '../../../pkg/wasm/tiepoint.js';
 import type { History } from '../../shared/state/history';
 import type { EditStep } from './edits';
 import type { Names } from './naming';
@@ -18,6 +19,19 @@ export interface Former {
   left: readonly number[];
   /** After how many of its steps each step beside them came. */
   places: readonly number[];
+  /** Where its images show its places of an orthophoto; null where it lay on none. */
+  spots: BlockPlaces | null;
+}
+
+/** Edits of a block that was found anew and is to lie on an orthophoto: which of its places lie where they lay is known once it lies there. */
+export interface Awaiting extends Former {
+  /** Whether its tie points are those of the block that has them. */
+  sameTiePoints: boolean;
+}
+
+/** Null once something was edited since. */
+export function awaitedOf({ awaiting, history }: { awaiting: Awaiting | null; history: History<EditStep> }): Awaiting | null {
+  return awaiting?.kept.edits === history.edits && awaiting.kept.done === history.done ? awaiting : null;
 }
 
 /** So many are remembered. */

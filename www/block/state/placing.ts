@@ -1,5 +1,5 @@
 /** Images on an orthophoto: what was given for them, what came of it, and what of it is looked at. */
-import type { LinkUse, OrthophotoInfo, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockPlaces, LinkUse, OrthophotoInfo, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockFile, TextFile } from './file';
 import { NO_FILM } from './film';
 import type { GivenFilm } from './film';
@@ -30,6 +30,8 @@ export interface OnGround {
   key: string;
   /** The project file of the block before that: it can be placed again, and taken off. */
   before: Blob;
+  /** Where images show its places of the orthophoto as it was found; null where an earlier release did not keep it. */
+  places: BlockPlaces | null;
 }
 
 /** What came of an image. */

@@ -1,4 +1,5 @@
-/** Messages of the crate as the page writes them: parameters by their labels, a multiplication sign between the sides of an image. */
+/** Messages of the crate as the page writes them: parameters by their labels, also where a message names the option of the command, a multiplication sign between the sides of an image. */
+import { optionName } from '../../../pkg/block/option-name.js';
 import type { Catalogue } from '../crate';
 import { say } from './words';
 
@@ -13,6 +14,15 @@ const OTHER: Readonly<Record<string, string>> = {
   origin: say('origin-in-the-scan-2'),
 };
 
+/** Files that the page takes beside its settings, by the names of their options. */
+const FILES: Readonly<Record<string, string>> = { geoid: say('geoid'), orthophoto: say('orthophoto') };
+
+/** What stands between brackets and names an option. */
+const IN_BRACKETS = /\(([^()]*--[a-z][^()]*)\)/gu;
+
+/** An option, in a sentence from right to left with a mark of direction before it. */
+const OPTION = /`?\u200f?--([a-z]+(?:-[a-z]+)*)`?/gu;
+
 /** Parameters by whose labels their keys are replaced. */
 export type Labels = Pick<Catalogue, 'parameters' | 'flightParameters'>;
 
@@ -21,12 +31,25 @@ export function readable(catalogue: Labels | null, message: string): string {
   const labels = new Map(Object.entries(OTHER));
   for (const { key, label } of [...(catalogue?.parameters ?? []), ...(catalogue?.flightParameters ?? [])]) labels.set(key, label);
   return (
-    message
+    withSettings(catalogue, message)
       .replace(/[a-z]+\.[a-z0-9_]+/gu, (key) => quoted(labels.get(key)) ?? key)
       // Names of one word are words of sentences too: they are names where a message begins with them.
       .replace(/^(\w+)(?= is )/u, (key) => quoted(labels.get(key)) ?? key)
       .replace(/(\d) x (?=\d)/gu, '$1 × ')
   );
+}
+
+/** A message with the labels of the settings whose options it names; options that are no settings of the page stay. */
+function withSettings(catalogue: Labels | null, message: string): string {
+  if (!message.includes('--')) return message;
+  const labels = new Map(Object.entries(FILES));
+  for (const parameter of catalogue?.parameters ?? []) labels.set(optionName(parameter), parameter.label);
+  const labelled = (text: string) => text.replace(OPTION, (option, name: string) => quoted(labels.get(name)) ?? option);
+  const inBrackets = (brackets: string, inner: string) => {
+    const settings = labelled(inner);
+    return settings === inner ? brackets : `(${say('named-settings', { settings })})`;
+  };
+  return labelled(message.replace(IN_BRACKETS, inBrackets));
 }
 
 function quoted(label: string | undefined): string | undefined {

@@ -93,6 +93,7 @@ skipped-not-an-image-by = { $aside } { $aside ->
     } skipped: not an image by name.
 press-place = Press Place.
 press-run = Press Run.
+open-the-setting = Open “{ $label }”
 press-frames = Press { $make } under Scanned film, in the settings of the orthophoto.
 the-block-is-unchanged = { $what }: { $error }. The block is unchanged.
 all-images-of-the-block = All images of the block are there.
@@ -138,7 +139,6 @@ cancelled-the-block-is-as = Cancelled: the block is as it was.
 images-of-the-block = Images of the block
 export-of-the-block = Export of the block
 export-of-the-placed-images = Export of the placed images
-orthophoto = Orthophoto
 edits = Edits
 views-of-the-block = Views of the block
 settings-of-the-block = Settings of the block
@@ -211,7 +211,11 @@ adjusting-the-block = Adjusting the block …
 edits-wait-for-the-run = A run goes on: edit its block when it has ended.
 n-0-px = σ₀ { $sigma0_px } → { $sigma0_px_2 } px
 rmse-px = RMSE { $rmse_px } → { $rmse_px_2 } px
-check-points-m = check points { $checks_m } → { $checks_m_2 } m
+check-points-m = check points { $checks_m } → { $checks_m_2 } m{ $of }
+of-so-many-check-points = {" "}({ COUNT($points) } → { COUNT($points_2) } { $points_2 ->
+        [one] point
+       *[other] points
+    })
 images-oriented = { COUNT($oriented) } → { COUNT($oriented_2) } images oriented
 rejects-what-is-chosen-with = rejects what is chosen; with Shift its whole point
 uses-what-is-chosen-again = uses what is chosen again
@@ -224,6 +228,7 @@ in = { $point } in { $image }
 now = now
 rmse-px-2 = RMSE, px
 check-points-rmse-m = check points, RMSE, m
+check-points-compared = check points
 images-oriented-2 = images oriented
 block-before-and-after-the = Block before and after the edit
 
@@ -669,7 +674,6 @@ none-two-files-georeference-the = None. Ground control points (name, x, y, z, op
 none-positions-of-images = None. GNSS positions of images (image, longitude, latitude and height above the ellipsoid or, in the coordinate system above, x, y and height; optionally two standard errors) take the place of those that the files record. A first line names the columns.
 none-images-of-the-same = None. Images of the same size, black where no features are detected; IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png is the mask of IMG_1.jpg.
 masks = Masks
-geoid = Geoid
 none-a-file-from-which = None. The geoid to which heights of the coordinate system refer: a GeoTIFF of longitudes and latitudes, GTX (which can be dropped), or PGM of GeographicLib.
 masks-2 = { $given } masks: { $names }{ $what }
 file = File: { $title }
@@ -716,6 +720,7 @@ a-block-on-an-orthophoto = The block can be placed on it: it then lies in its sy
 place-the-block-on-the = Place the block on the orthophoto
 place-each-image = Place each image by itself
 only-under-the-map = Only under the map
+as-it-was-placed = Before edits by hand: { $text }
 not-now = Not now
 the-block-is-not-on = The block is not placed on the orthophoto by these settings.
 places-found-hold-it-too = Places that are found on the orthophoto can hold it, too.
