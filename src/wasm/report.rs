@@ -81,7 +81,7 @@ impl Report {
 
 fn read_edits(value: &JsValue) -> JsResult<ReportEdits> {
     let field = |name: &str| Reflect::get(value, &name.into()).unwrap_or_default();
-    let number = |name| whole(name, field(name).as_f64().unwrap_or(f64::NAN));
+    let number = |name| whole(name, field(name).unchecked_ref());
     Ok(ReportEdits {
         matches: read_matched(&field("match"))?,
         added_px: rows::<2>("added_px", &floats(value, "added_px")?)?.to_vec(),
