@@ -355,7 +355,7 @@ fn units_that_are_not_known_thousands_and_tables_of_opendronemap_are_refused_for
     assert!(inches.contains("the table of image positions: got the column 'Easting [inch]', in a unit"), "{inches}");
     let thousands = parse_image_positions("Bild;Rechtswert;Hochwert\na;446.833,25;5.594.521,50\n").unwrap_err().to_string();
     assert!(thousands.contains("'446.833,25' for Rechtswert in line 2, which seems"), "{thousands}");
-    assert!(parse_image_positions("image;x;y\na;446,833;594,521\n").unwrap_err().to_string().contains("whether commas"));
+    assert!(parse_image_positions("image\tx\ty\na\t446,833\t594,521\n").unwrap_err().to_string().contains("whether commas"));
     // One comma that can only be decimal says it of all.
     assert_eq!(first("name;x;y;z\nP1;446,833;594,521;0,240\n").1, [446.833, 594.521, 0.24]);
 }
