@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asFigure, asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -92,6 +92,50 @@ var Facts = class {
 		this.asked.clear();
 	}
 };
+// www/block/state/former.ts
+function awaitedOf({ awaiting, history }) {
+	return awaiting?.kept.edits === history.edits && awaiting.kept.done === history.done ? awaiting : null;
+}
+function nameOfTiePoints({ images, points }) {
+	let code = 2166136261;
+	const add = (value) => {
+		code = Math.imul(code ^ value & 65535, 16777619);
+		code = Math.imul(code ^ Math.floor(value / 65536), 16777619) >>> 0;
+	};
+	points.sources.forEach(add);
+	points.rays.forEach(add);
+	return JSON.stringify([
+		images.map(({ name, features }) => [name, features]),
+		points.count,
+		code
+	]);
+}
+function formerOf(former, before, after, left) {
+	const last = former.at(-1);
+	if (last === void 0 || last.kept.edits !== before.edits || last.kept.done !== before.done) return former;
+	return [...former.slice(0, -1), {
+		...last,
+		kept: after,
+		left: last.left.map((count) => left[count] ?? after.edits.length)
+	}];
+}
+function withFormer(former, one) {
+	return [...former.filter(({ tiePoints }) => tiePoints !== one.tiePoints), one].slice(-20);
+}
+function wayBack(former, tiePoints, history) {
+	const way = [];
+	let now = history;
+	for (const one of [...former].reverse()) {
+		if (one.kept.edits !== now.edits || one.kept.done !== now.done) continue;
+		way.push(one);
+		if (one.tiePoints === tiePoints) return way;
+		now = one.history;
+	}
+	return [];
+}
+function placesBefore({ left, places }, now) {
+	return now.length === places.length ? places : now.map(({ after }) => Math.max(0, left.lastIndexOf(after)));
+}
 // www/block/state/film.ts
 var NO_FILM = {
 	camera: null,
@@ -129,13 +173,14 @@ function stemOf(name) {
 	return name.replace(/\.[^.]*$/u, "").toLowerCase();
 }
 // www/block/state/placed.ts
-function placingKey({ placing: { orthophoto, heights, options }, options: { cameras } }) {
+function placingKey({ placing: { orthophoto, heights, options }, options: { cameras, positions } }) {
 	const ground = heights.kind === "level" ? heights.height : `file ${String(heights.model.id)}`;
 	return JSON.stringify([
 		orthophoto?.raster.id ?? null,
 		ground,
 		options,
-		cameras
+		cameras,
+		...positions === null ? [] : [positions]
 	]);
 }
 function placingKeyOf(key, film, image) {
@@ -163,19 +208,53 @@ var UNEDITED = {
 	before: null,
 	adjusting: false,
 	draft: null,
-	former: []
+	former: [],
+	awaiting: null
 };
 function figuresOf$3(view) {
 	const { sigma0Px, rmsePx, oriented, points, checks, images } = view;
-	const checksM = checks === null ? null : Math.hypot(...checks.rmse_m);
+	const ofChecks = checks === null ? null : {
+		rmseM: Math.hypot(...checks.rmse_m),
+		points: checks.points
+	};
 	return {
 		sigma0Px,
 		rmsePx,
 		oriented,
 		points: points.taking,
 		observations: images.reduce((sum, image) => sum + image.rays, 0),
-		checksM
+		checks: ofChecks
 	};
+}
+function comparedText(before, now) {
+	const [checks, checksNow] = [before.checks, now.checks];
+	const points = {
+		points: checks?.points ?? 0,
+		points_2: checksNow?.points ?? 0
+	};
+	const of = points.points === points.points_2 ? "" : say("of-so-many-check-points", points);
+	return [
+		say("n-0-px", {
+			sigma0_px: figureText(before.sigma0Px),
+			sigma0_px_2: figureText(now.sigma0Px)
+		}),
+		say("rmse-px", {
+			rmse_px: figureText(before.rmsePx),
+			rmse_px_2: figureText(now.rmsePx)
+		}),
+		checks === null && checksNow === null ? "" : say("check-points-m", {
+			checks_m: figureText(checks?.rmseM ?? null),
+			checks_m_2: figureText(checksNow?.rmseM ?? null),
+			of
+		}),
+		before.oriented === now.oriented ? "" : say("images-oriented", {
+			oriented: before.oriented,
+			oriented_2: now.oriented
+		})
+	].filter((part) => part !== "").join(" · ");
+}
+function figureText(value) {
+	return value === null ? "–" : fixed(value, 3);
 }
 var FIRST_PANES = 4;
 var NO_PANES = {
@@ -711,7 +790,10 @@ function asksPurpose(state) {
 function groundKey({ placing }) {
 	return placingKey({
 		placing,
-		options: { cameras: null }
+		options: {
+			cameras: null,
+			positions: null
+		}
 	});
 }
 function isOffGround(state) {
@@ -726,6 +808,23 @@ function liesElsewhere(state) {
 }
 function isStale(state) {
 	return isOutdated(state) || liesElsewhere(state);
+}
+// www/block/state/spots.ts
+function amongImages(before, images) {
+	const names = images.map(({ name }) => name);
+	const indices = new Map(names.map((name, index) => [name, index]));
+	const places = before.places.map(({ seen }) => ({ seen: seen.flatMap((one) => {
+		const image = indices.get(before.images[one.image] ?? "");
+		return image === void 0 ? [] : [{
+			...one,
+			image
+		}];
+	}) }));
+	return {
+		...before,
+		images: names,
+		places
+	};
 }
 // www/block/state/links.ts
 var USES$1 = [
@@ -814,6 +913,25 @@ function stepName(step) {
 		link: step.link + 1
 	});
 }
+// www/block/state/given-positions.ts
+function givenPositions({ files, placing: { orthophoto }, options: { settings, positions } }) {
+	return read(positions?.text ?? null, files, settings?.placing ?? null, orthophoto?.info.epsg ?? null);
+}
+var NONE$1 = new Map();
+var read = remember((text, files, placing, epsg) => {
+	if (text === null || placing === null) return NONE$1;
+	const names = files.map(({ name }) => name);
+	try {
+		const crs = placing.crs ?? (epsg === null ? null : `EPSG:${String(epsg)}`);
+		const given = positions_of_images(text, names, {
+			...placing,
+			crs
+		});
+		return new Map(names.flatMap((name, index) => given[index] ? [[name, given[index]]] : []));
+	} catch {
+		return NONE$1;
+	}
+});
 // www/block/engine/frames.ts
 async function makeFrames(worker, scans, given, tell) {
 	const made = [];
@@ -914,17 +1032,19 @@ var PlacingEngine = class {
 		});
 	}
 	async lookElsewhere() {
-		const { files, placing } = this.store.state;
+		const { files, placing, options: run } = this.store.state;
 		const { orthophoto, options } = placing;
 		const { ground } = this;
 		let doubt = null;
 		if (orthophoto?.ofBlock === null && orthophoto.info.on_earth && ground !== null && options !== null) {
 			const areWanted = () => {
 				const now = this.store.state;
-				return now.files === files && now.placing.orthophoto?.raster === orthophoto.raster && now.placing.options === options;
+				return now.files === files && now.placing.orthophoto?.raster === orthophoto.raster && now.placing.options === options && now.options.positions === run.positions;
 			};
-			const positions = await this.recorded.of(files, areWanted);
-			if (positions === null) return;
+			const given = givenPositions(this.store.state);
+			const recorded = await this.recorded.of(files.filter(({ name }) => !given.has(name)), areWanted);
+			if (recorded === null) return;
+			const positions = [...[...given.values()].map(({ position }) => position), ...recorded];
 			if (positions.length > 0) doubt = await this.shower.call("orthoElsewhere", {
 				ground,
 				options,
@@ -949,6 +1069,7 @@ var PlacingEngine = class {
 		const waiting = [...files];
 		const { options: given, film } = placing;
 		const cameras = options.cameras?.text ?? null;
+		const positions = givenPositions(state);
 		let done = 0;
 		this.stopped = false;
 		const tell = (text) => this.store.dispatch({
@@ -974,7 +1095,8 @@ var PlacingEngine = class {
 					name,
 					file: file.file,
 					cameras,
-					film: filmOf(film, name)
+					film: filmOf(film, name),
+					position: positions.get(name) ?? null
 				});
 				done += 1;
 				const former = this.store.state.placing.placed.get(id);
@@ -1048,6 +1170,7 @@ var PlacingEngine = class {
 				file: bytes,
 				cameras,
 				film: filmOf(placing.film, name),
+				position: givenPositions(this.store.state).get(name) ?? null,
 				links,
 				start,
 				size: found.size
@@ -1230,7 +1353,9 @@ var BlockPlacing = class {
 				options: placing.options
 			});
 			const read = await this.engine.read(linked, this.store.state.truth);
-			const again = await read.placesAgain();
+			const spots = awaitedOf(this.store.state)?.spots ?? null;
+			const own = spots === null ? null : amongImages(spots, read.view.images);
+			const [places, again] = [await read.places(), await read.placesAgain(own)];
 			if (this.stopped || this.store.state.shown?.found !== shown.found) return false;
 			read.hold();
 			this.store.dispatch({
@@ -1239,7 +1364,8 @@ var BlockPlacing = class {
 				edits: read.edits,
 				ground: {
 					key,
-					before
+					before,
+					places
 				},
 				again
 			});
@@ -1494,13 +1620,15 @@ var BlockEngine = class {
 			this.heldIn = worker.generation;
 			this.spare = null;
 		};
-		const placesAgain = async () => {
+		const ofShown = async () => {
 			await this.regained();
-			return worker.call("blockPlacesAgain", { before: await this.block.call("blockPlaces", null) });
+			return this.block.call("blockPlaces", null);
 		};
+		const placesAgain = async (before) => worker.call("blockPlacesAgain", { before: before ?? await ofShown() });
 		return {
 			...opened,
 			hold,
+			places: () => worker.call("blockPlaces", null),
 			placesAgain
 		};
 	}
@@ -2286,47 +2414,6 @@ function removable(files, choice, names) {
 	const found = files.filter(({ name }) => chosen.has(name));
 	return found.length === chosen.size && files.length - found.length >= LEAST_IMAGES ? found : [];
 }
-// www/block/state/former.ts
-function nameOfTiePoints({ images, points }) {
-	let code = 2166136261;
-	const add = (value) => {
-		code = Math.imul(code ^ value & 65535, 16777619);
-		code = Math.imul(code ^ Math.floor(value / 65536), 16777619) >>> 0;
-	};
-	points.sources.forEach(add);
-	points.rays.forEach(add);
-	return JSON.stringify([
-		images.map(({ name, features }) => [name, features]),
-		points.count,
-		code
-	]);
-}
-function formerOf(former, before, after, left) {
-	const last = former.at(-1);
-	if (last === void 0 || last.kept.edits !== before.edits || last.kept.done !== before.done) return former;
-	return [...former.slice(0, -1), {
-		...last,
-		kept: after,
-		left: last.left.map((count) => left[count] ?? after.edits.length)
-	}];
-}
-function withFormer(former, one) {
-	return [...former.filter(({ tiePoints }) => tiePoints !== one.tiePoints), one].slice(-20);
-}
-function wayBack(former, tiePoints, history) {
-	const way = [];
-	let now = history;
-	for (const one of [...former].reverse()) {
-		if (one.kept.edits !== now.edits || one.kept.done !== now.done) continue;
-		way.push(one);
-		if (one.tiePoints === tiePoints) return way;
-		now = one.history;
-	}
-	return [];
-}
-function placesBefore({ left, places }, now) {
-	return now.length === places.length ? places : now.map(({ after }) => Math.max(0, left.lastIndexOf(after)));
-}
 // www/block/state/editing.ts
 function isEditable({ shown, running }) {
 	return shown !== null && !shown.view.partial && shown.view.oriented > 0 && running.kind !== "yes";
@@ -2510,10 +2597,18 @@ function carried({ history, marks, shown, former }, view) {
 		};
 		if (regained.lost + regained.aside.length > 0 || last.names.givenControl !== view.givenControl) {
 			const { edits, said } = keptOf(regained, back, last.names);
+			const places = back.edits.map((step) => step.after);
 			return {
 				edits: {
 					...edits,
-					former
+					former,
+					awaiting: {
+						...last,
+						kept: regained.history,
+						left: regained.left,
+						places,
+						sameTiePoints: true
+					}
 				},
 				said
 			};
@@ -2542,10 +2637,6 @@ function carried({ history, marks, shown, former }, view) {
 		said: saidOfKept(history)
 	};
 	const { edits, said } = keptOf(found, marks, names);
-	if (before === "") return {
-		edits,
-		said
-	};
 	const places = marks.edits.map((step) => step.after);
 	const one = {
 		tiePoints: before,
@@ -2553,12 +2644,18 @@ function carried({ history, marks, shown, former }, view) {
 		history,
 		kept: found.history,
 		left: found.left,
-		places
+		places,
+		spots: shown.ground?.places ?? null
+	};
+	const awaiting = {
+		...one,
+		sameTiePoints: isSame
 	};
 	return {
 		edits: {
 			...edits,
-			former: withFormer(former, one)
+			former: before === "" ? [] : withFormer(former, one),
+			awaiting
 		},
 		said
 	};
@@ -2567,7 +2664,10 @@ function saidOfKept(history) {
 	const held = editsInForce(history).length;
 	return held === 0 ? "" : say("by-hand-kept", { edits: held });
 }
-function carriedToGround({ history, marks, shown, former }, view, isOff, again) {
+function carriedToGround(state, view, isOff, again) {
+	const awaited = isOff ? null : awaitedOf(state);
+	if (awaited !== null) return arrived(awaited, state, view, again);
+	const { history, marks, shown, former } = state;
 	const names = shown === null ? NO_NAMES : namesOf$1(shown.found);
 	const isSame = names.givenControl === view.givenControl && withoutPlaces(names).surveyed.size === names.surveyed.size;
 	const found = isSame ? allCarried(history) : carriedOver(history, names, withoutPlaces(namesOf$1(view)), true, again);
@@ -2598,6 +2698,24 @@ function carriedToGround({ history, marks, shown, former }, view, isOff, again) 
 			former: formerOf(former, history, now.history, now.left)
 		},
 		said: [said, aside === 0 ? "" : say("places-set-aside", { steps: aside })].filter((part) => part !== "").join(" ")
+	};
+}
+function arrived(awaited, { marks, former }, view, again) {
+	const { history, names, sameTiePoints } = awaited;
+	const found = carriedOver(history, names, withoutPlaces(namesOf$1(view)), sameTiePoints, again);
+	const places = placesBefore(awaited, marks.edits);
+	const { edits, said } = keptOf(found, besideEdits(marks, (after, at) => places[at] ?? after), names);
+	const ofIt = former.map((one) => one.history === history ? {
+		...one,
+		kept: found.history,
+		left: found.left
+	} : one);
+	return {
+		edits: {
+			...edits,
+			former: sameTiePoints ? formerOf(former, history, found.history, found.left) : ofIt
+		},
+		said
 	};
 }
 function allCarried(history) {
@@ -2992,6 +3110,10 @@ function blockOnOrthophoto(state) {
 }
 function isInSystemOf({ orthophoto }) {
 	return orthophoto?.kind === "linked" || orthophoto?.kind === "by_hand";
+}
+function onOrthophotoText({ view: { orthophoto }, edits }) {
+	if (orthophoto === null) return "";
+	return orthophoto.kind === "linked" && edits.length > 0 ? say("as-it-was-placed", { text: orthophoto.text }) : orthophoto.text;
 }
 function toSystemOf(orthophoto, view) {
 	if (view.orthophoto?.inCrs !== true) return SAME;
@@ -3596,28 +3718,7 @@ function textOf({ draft, adjusting, before, shown }) {
 	}
 	if (adjusting) return say("adjusting-the-block");
 	if (before === null || shown === null || shown.edits.length === 0) return "";
-	const now = figuresOf$3(shown.view);
-	return [
-		say("n-0-px", {
-			sigma0_px: px(before.sigma0Px),
-			sigma0_px_2: px(now.sigma0Px)
-		}),
-		say("rmse-px", {
-			rmse_px: px(before.rmsePx),
-			rmse_px_2: px(now.rmsePx)
-		}),
-		now.checksM === null && before.checksM === null ? "" : say("check-points-m", {
-			checks_m: px(before.checksM),
-			checks_m_2: px(now.checksM)
-		}),
-		before.oriented === now.oriented ? "" : say("images-oriented", {
-			oriented: before.oriented,
-			oriented_2: now.oriented
-		})
-	].filter((part) => part !== "").join(" · ");
-}
-function px(value) {
-	return value === null ? "–" : fixed(value, 3);
+	return comparedText(before, figuresOf$3(shown.view));
 }
 function mountBlockEditKeys(store, hosts) {
 	const isBlockSeen = () => store.state.onStage !== "orthophoto" || blockOnOrthophoto(store.state) !== null || takesPlaces(store.state);
@@ -3783,8 +3884,9 @@ function comparison(before, now) {
 		testid: `${testid}-now`
 	}, now === null ? "…" : text(now)));
 	const head = h("tr", {}, h("th", { scope: "col" }, say("block")), h("th", { scope: "col" }, say("before")), h("th", { scope: "col" }, say("now")));
-	const checks = before.checksM !== null || now?.checksM != null;
-	const body = h("tbody", {}, line("σ₀, px", "block-compared-sigma0", ({ sigma0Px }) => px(sigma0Px)), line(say("rmse-px-2"), "block-compared-rmse", ({ rmsePx }) => px(rmsePx)), checks ? line(say("check-points-rmse-m"), "block-compared-checks", ({ checksM }) => px(checksM)) : null, line(say("images-oriented-2"), "block-compared-images", ({ oriented }) => count(oriented)), line(say("points-2"), "block-compared-points", ({ points }) => count(points)), line(say("observations-5"), "block-compared-observations", ({ observations }) => count(observations)));
+	const checks = before.checks !== null || now?.checks != null;
+	const areOthers = now !== null && before.checks?.points !== now.checks?.points;
+	const body = h("tbody", {}, line("σ₀, px", "block-compared-sigma0", ({ sigma0Px }) => figureText(sigma0Px)), line(say("rmse-px-2"), "block-compared-rmse", ({ rmsePx }) => figureText(rmsePx)), checks ? line(say("check-points-rmse-m"), "block-compared-checks", (of) => figureText(of.checks?.rmseM ?? null)) : null, areOthers ? line(say("check-points-compared"), "block-compared-check-points", (of) => count(of.checks?.points ?? 0)) : null, line(say("images-oriented-2"), "block-compared-images", ({ oriented }) => count(oriented)), line(say("points-2"), "block-compared-points", ({ points }) => count(points)), line(say("observations-5"), "block-compared-observations", ({ observations }) => count(observations)));
 	return h("table", {
 		class: "tight",
 		aria: { label: say("block-before-and-after-the") }
@@ -4663,8 +4765,8 @@ var BlockFiles = class {
 			texts: TEXTS[given],
 			name: file.name
 		});
-		if (problem === void 0) this.tell("info", (given === "control" || given === "marks") && waitsForMarks(this.store.state) ? `${said} ${controlText(this.store.state)}` : said);
-		else if (problem === PARTNER_MISSING[given]) this.tell("info", say("from-2", {
+		if (problem === void 0) this.tellTaken((given === "control" || given === "marks") && waitsForMarks(this.store.state) ? `${said} ${controlText(this.store.state)}` : said);
+		else if (problem === PARTNER_MISSING[given]) this.tellTaken(say("from-2", {
 			texts: TEXTS[given],
 			name: file.name,
 			problem
@@ -4693,7 +4795,7 @@ var BlockFiles = class {
 			} }
 		});
 		const problem = problemsOf(this.store.state).geoid;
-		if (problem === void 0) this.tell("info", say("from", {
+		if (problem === void 0) this.tellTaken(say("from", {
 			texts: say("geoid"),
 			name: file.name
 		}));
@@ -4848,6 +4950,16 @@ var BlockFiles = class {
 			}
 		});
 	}
+	tellTaken(text) {
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text,
+				beside: isOutdated(this.store.state)
+			}
+		});
+	}
 	tellUnread(text) {
 		this.store.dispatch({
 			type: "notice",
@@ -4995,9 +5107,9 @@ function ofFile(view, { options, marks }) {
 // www/block/files/edit.ts
 var OF_ONE = 60;
 function bytesOfStep(step) {
-	return step.reduce((sum, edit) => sum + bytesOf(edit), 0);
+	return step.reduce((sum, edit) => sum + bytesOf$1(edit), 0);
 }
-function bytesOf(edit) {
+function bytesOf$1(edit) {
 	const lists = Object.values(edit).filter((value) => Array.isArray(value));
 	return OF_ONE * Math.max(1, ...lists.map(({ length }) => length));
 }
@@ -5124,6 +5236,7 @@ function placeFrom(value, name) {
 }
 // www/block/files/keep-former.ts
 var FORMER = "block/former";
+var SPOT = 60;
 function formerParts(former, { edits }) {
 	if (former.length === 0) return new Map();
 	const isOfThem = former.some(({ history, kept }) => history.edits === edits || kept.edits === edits);
@@ -5138,8 +5251,12 @@ var keptFormers = remember((former, now) => ({
 			keptName: nameOf$2(one.kept.edits)
 		}))
 	},
-	bytes: former.flatMap(({ history, kept }) => [...history.edits, ...kept.edits]).reduce((sum, step) => sum + bytesOfStep(step), 0)
+	bytes: former.reduce((sum, one) => sum + bytesOf(one), 0)
 }));
+function bytesOf({ history, kept, spots }) {
+	const places = spots?.places.reduce((sum, { seen }) => sum + SPOT * seen.length, 0) ?? 0;
+	return [...history.edits, ...kept.edits].reduce((sum, step) => sum + bytesOfStep(step), places);
+}
 function formerFrom(parts, history) {
 	if (!parts.has(FORMER)) return [];
 	const value = objectOf(parts.get(FORMER), "former");
@@ -5158,14 +5275,15 @@ function formerFrom(parts, history) {
 		};
 	};
 	return listOf$1(value.former, "former", (one, name) => {
-		const { tiePoints, names, history: own, kept: left, left: counts, places, historyName, keptName } = objectOf(one, name);
+		const { tiePoints, names, history: own, kept: left, left: counts, places, spots, historyName, keptName } = objectOf(one, name);
 		return {
 			tiePoints: likeOf(tiePoints, "", `${name}.tiePoints`),
 			names: namesFrom(names, `${name}.names`),
 			history: historyFrom(own, historyName, `${name}.history`),
 			kept: historyFrom(left, keptName, `${name}.kept`),
 			left: listOf$1(counts, `${name}.left`, (count, at) => likeOf(count, 0, at)),
-			places: listOf$1(places, `${name}.places`, (place, at) => likeOf(place, 0, at))
+			places: listOf$1(places, `${name}.places`, (place, at) => likeOf(place, 0, at)),
+			spots: orNull(spots ?? null, (own) => placesFrom(own, `${name}.spots`))
 		};
 	});
 }
@@ -5178,6 +5296,14 @@ function namesFrom(value, name) {
 		connected: new Set([...connected].map((pair) => likeOf(pair, "", `${name}.connected`))),
 		givenControl: likeOf(givenControl, 0, `${name}.givenControl`)
 	};
+}
+function placesFrom(value, name) {
+	const places = objectOf(value, name);
+	const { images, given, places: all } = places;
+	listOf$1(images, `${name}.images`, (image, at) => likeOf(image, "", at));
+	likeOf(given, 0, `${name}.given`);
+	listOf$1(all, `${name}.places`, (place, at) => listOf$1(objectOf(place, at).seen, `${at}.seen`, objectOf));
+	return places;
 }
 // www/block/files/keep-placing.ts
 var PURPOSES$1 = [
@@ -5558,11 +5684,12 @@ function theSame(edits, history) {
 	});
 }
 function groundFrom(value) {
-	const { key, before } = objectOf(value, "shown.ground");
+	const { key, before, places } = objectOf(value, "shown.ground");
 	if (!(before instanceof Blob)) throw new Error(say("the-finished-block-is-damaged"));
 	return {
 		key: likeOf(key, "", "shown.ground.key"),
-		before
+		before,
+		places: orNull(places ?? null, (own) => placesFrom(own, "shown.ground.places"))
 	};
 }
 function besidesOf({ masks, geoid }) {
@@ -5661,8 +5788,11 @@ var BlockRuns = class {
 			type: "stage",
 			view: "map"
 		});
-		if (!lacksPlaceAlone(state)) await this.engine.run();
-		if (this.store.state.running.kind === "no" && lacksPlaceAlone(this.store.state)) await this.placeBlock();
+		const runs = !lacksPlaceAlone(state);
+		if (runs) await this.engine.run();
+		const { running, notice } = this.store.state;
+		const said = runs && notice?.beside === true ? notice.text : "";
+		if (running.kind === "no" && lacksPlaceAlone(this.store.state)) await this.placeBlock(said);
 	}
 	async placeImages(files) {
 		this.store.dispatch({
@@ -5695,9 +5825,10 @@ var BlockRuns = class {
 			this.tell("problem", say("the-block-stays-as-it", { sentence: sentence(messageOf(error)) }));
 		}
 	}
-	async placeBlock() {
+	async placeBlock(said) {
+		const andSaid = (text) => [text, said].join(" ").trimEnd();
 		if (imagesOfBlock(this.store.state).length === 0) {
-			this.tell("info", say("a-block-is-placed-by"), true);
+			this.tell("info", andSaid(say("a-block-is-placed-by")), true);
 			return;
 		}
 		this.store.dispatch({
@@ -5705,9 +5836,9 @@ var BlockRuns = class {
 			notice: null
 		});
 		try {
-			if (!await this.block.place()) this.tell("info", say("cancelled-the-block-is-as"), true);
+			if (!await this.block.place()) this.tell("info", andSaid(say("cancelled-the-block-is-as")), true);
 		} catch (error) {
-			this.tell("problem", say("the-block-stays-as-it", { sentence: sentence(messageOf(error)) }));
+			this.tell("problem", andSaid(say("the-block-stays-as-it", { sentence: sentence(messageOf(error)) })));
 		}
 	}
 	tell(kind, text, beside = false) {
@@ -13648,7 +13779,7 @@ function mountResults(host, store, takeOff) {
 		body.classList.toggle("is-stale", isStale(store.state));
 		const placed = placedOf(store.state);
 		const none = placed === null ? h("p", { class: "note" }, say("no-block-yet-drop-images")) : null;
-		fill(body, ...shown === null ? [none] : sectionsOf(shown, off), placed);
+		fill(body, ...shown === null ? [none] : sectionsOf(shown, off, (text) => readable(store.state.catalogue?.labels ?? null, text)), placed);
 	});
 	store.watch([
 		"running",
@@ -13658,7 +13789,7 @@ function mountResults(host, store, takeOff) {
 		off.disabled = isBusy(store.state);
 	});
 }
-function sectionsOf(shown, off) {
+function sectionsOf(shown, off, written) {
 	const { view } = shown;
 	if (view.partial) return [
 		leftOut(view),
@@ -13669,19 +13800,20 @@ function sectionsOf(shown, off) {
 		leftOut(view),
 		strays(say("masks-without-an-image"), "block-stray-masks", view.strayMasks, say("no-image-has-their-name")),
 		strays(say("image-measurements-without-an-image"), "block-stray-marks", view.strayMarks, say("not-among-the-images-read")),
-		listOf(say("remarks"), "block-remarks", view.remarks),
+		listOf(say("remarks"), "block-remarks", view.remarks.map(written)),
 		section(say("block"), "block-facts", facts(factsOf(view))),
-		onGround(shown, off),
+		onGround(shown, off, written),
 		view.score === null ? null : section(say("against-the-truth"), "block-score", facts(scoreFacts(view.score))),
-		listOf(say("warnings"), "block-warnings", view.warnings),
+		listOf(say("warnings"), "block-warnings", view.warnings.map(written)),
 		notOriented(view),
 		section(say("tie-points-by-number-of"), "block-by-rays", rayTable(view)),
 		section(say("cameras"), "block-cameras", cameraTable(view))
 	];
 }
-function onGround({ view: { orthophoto }, ground }, off) {
-	if (orthophoto === null) return null;
-	return section(say("orthophoto"), "block-on-orthophoto", h("p", {}, orthophoto.text), ground === null ? null : h("p", { class: "buttons" }, off));
+function onGround(shown, off, written) {
+	const { view, ground } = shown;
+	if (view.orthophoto === null) return null;
+	return section(say("orthophoto"), "block-on-orthophoto", h("p", {}, written(onOrthophotoText(shown))), ground === null ? null : h("p", { class: "buttons" }, off));
 }
 function placedOf(state) {
 	const tried = placedFiles(state);
@@ -13995,7 +14127,8 @@ function problemOf(store, given) {
 		"options",
 		"marks"
 	], () => {
-		const text = problemsOf(store.state)[given] ?? (given === "control" && waitsForMarks(store.state) ? controlText(store.state) : "");
+		const found = problemsOf(store.state)[given] ?? (given === "control" && waitsForMarks(store.state) ? controlText(store.state) : "");
+		const text = readable(store.state.catalogue?.labels ?? null, found);
 		if (line.textContent !== text) line.textContent = text;
 	});
 	return line;
@@ -14238,18 +14371,36 @@ function mountBlockStatus(store, actions, details) {
 	}, line, buttons);
 	const show = answerCard(card, line, buttons, "block-");
 	store.watch((s) => [s], ([state]) => {
-		const answer = doubted(answerOf(state, actions), doubtOf(state));
+		const { catalogue } = state;
+		const answer = offeringSetting(readableAnswer(doubted(answerOf(state, actions), doubtOf(state)), catalogue?.labels ?? null), catalogue, actions);
 		line.setAttribute("aria-live", answer.kind === "busy" ? "off" : "polite");
-		show({
-			...answer,
-			text: readable(state.catalogue?.labels ?? null, answer.text)
-		});
+		show(answer);
 		run.disabled = isBusy(state) || (places(state) ? unplacedFiles(state).length === 0 : state.files.length < 2);
 		run.textContent = places(state) ? say("place-them") : state.running.kind === "ended" ? say("go-on") : say("run");
 		run.classList.toggle("primary", answer.next == null && !run.disabled && (state.onStage !== "orthophoto" || places(state)));
 		cancel.disabled = !isBusy(state);
 	});
 	return card;
+}
+function readableAnswer({ text, more, said, problem, ...answer }, labels) {
+	return {
+		...answer,
+		text: readable(labels, text),
+		...more === void 0 ? {} : { more: readable(labels, more) },
+		...said === void 0 ? {} : { said: readable(labels, said) },
+		...problem === void 0 ? {} : { problem: readable(labels, problem) }
+	};
+}
+function offeringSetting(answer, catalogue, { openSetting }) {
+	if (answer.kind !== "problem" || answer.next != null) return answer;
+	const named = catalogue?.parameters.find(({ label }) => answer.text.includes(`“${label}”`));
+	return named === void 0 ? answer : {
+		...answer,
+		next: {
+			text: say("open-the-setting", { label: named.label }),
+			act: () => openSetting(named.key)
+		}
+	};
 }
 function doubted(answer, doubt) {
 	return doubt === "" ? answer : {
@@ -14433,7 +14584,7 @@ function answered(state, shown, actions) {
 			kind: sound ? "done" : "partial",
 			verdict: view.verdict?.kind ?? "weak",
 			text: view.verdict?.text ?? "",
-			more: view.orthophoto !== null && isInSystemOf(view) ? view.orthophoto.text : countsOf(shown),
+			more: view.orthophoto !== null && isInSystemOf(view) ? onOrthophotoText(shown) : countsOf(shown),
 			figures: figuresOf(view),
 			next: sound ? next : why
 		};
@@ -14586,6 +14737,12 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 		whyPlaced: () => {
 			setDrawer("table", true);
 			showTab("tab-block-placed");
+		},
+		openSetting: (key) => {
+			const field = settings.element.querySelector(`[data-key="${key}"]`);
+			if (field === null) return;
+			reveal$1(field);
+			field.focus();
 		}
 	}, drawerButton("details", say("details"), "block-details", results.element, say("details-of-the-results")));
 	await breath();
@@ -14640,10 +14797,11 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	}));
 	main.append(near.element);
 	store.watch(["notice"], ([notice]) => near.show(notice));
-	store.watch(({ files: given, placing: { orthophoto, options } }) => [
+	store.watch(({ files: given, placing: { orthophoto, options }, options: { positions } }) => [
 		given,
 		orthophoto?.raster ?? null,
-		options
+		options,
+		positions
 	], () => void placing.lookElsewhere());
 	new EditFollower(store, engine);
 	mountAddress(store, modes, beside);

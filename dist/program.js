@@ -9,7 +9,7 @@ var BlockOnOrthophoto = class {
 	}
 	free() {
 		const ptr = this.__destroy_into_raw();
-		wasm.__wbg_blockonorthophoto_free(ptr, 0);
+		if (ptr !== 0) wasm.__wbg_blockonorthophoto_free(ptr, 0);
 	}
 	linked(block, reference) {
 		_assertClass(block, FinishedBlock);
@@ -42,7 +42,7 @@ var BlockScene = class {
 	}
 	free() {
 		const ptr = this.__destroy_into_raw();
-		wasm.__wbg_blockscene_free(ptr, 0);
+		if (ptr !== 0) wasm.__wbg_blockscene_free(ptr, 0);
 	}
 	constructor(flight) {
 		const ret = wasm.blockscene_new(flight);
@@ -96,7 +96,7 @@ var BlockWriting = class BlockWriting {
 	}
 	free() {
 		const ptr = this.__destroy_into_raw();
-		wasm.__wbg_blockwriting_free(ptr, 0);
+		if (ptr !== 0) wasm.__wbg_blockwriting_free(ptr, 0);
 	}
 	step(emit) {
 		const ret = wasm.blockwriting_step(this.__wbg_ptr, emit);
@@ -120,7 +120,7 @@ var EpipolarPair = class EpipolarPair {
 	}
 	free() {
 		const ptr = this.__destroy_into_raw();
-		wasm.__wbg_epipolarpair_free(ptr, 0);
+		if (ptr !== 0) wasm.__wbg_epipolarpair_free(ptr, 0);
 	}
 	get contents() {
 		return wasm.epipolarpair_contents(this.__wbg_ptr);
@@ -171,10 +171,10 @@ var FinishedBlock = class FinishedBlock {
 	}
 	free() {
 		const ptr = this.__destroy_into_raw();
-		wasm.__wbg_finishedblock_free(ptr, 0);
+		if (ptr !== 0) wasm.__wbg_finishedblock_free(ptr, 0);
 	}
 	accuracy(cell, sigma_px) {
-		const ret = wasm.finishedblock_accuracy(this.__wbg_ptr, !isLikeNone(cell), isLikeNone(cell) ? 0 : cell, !isLikeNone(sigma_px), isLikeNone(sigma_px) ? 0 : sigma_px);
+		const ret = wasm.finishedblock_accuracy(this.__wbg_ptr, isLikeNone(cell) ? 0 : addToExternrefTable0(cell), isLikeNone(sigma_px) ? 0 : addToExternrefTable0(sigma_px));
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -307,7 +307,7 @@ var OrthoMosaic = class OrthoMosaic {
 	}
 	free() {
 		const ptr = this.__destroy_into_raw();
-		wasm.__wbg_orthomosaic_free(ptr, 0);
+		if (ptr !== 0) wasm.__wbg_orthomosaic_free(ptr, 0);
 	}
 	add(index, file) {
 		const ret = wasm.orthomosaic_add(this.__wbg_ptr, index, file);
@@ -346,7 +346,7 @@ var OrthoMosaic = class OrthoMosaic {
 		return v1;
 	}
 	static open(project, heights, heights_sidecars, gsd, in_adjustment) {
-		const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, !isLikeNone(gsd), isLikeNone(gsd) ? 0 : gsd, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
+		const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, isLikeNone(gsd) ? 0 : addToExternrefTable0(gsd), isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return OrthoMosaic.__wrap(ret[0]);
 	}
@@ -382,7 +382,7 @@ var OrthophotoReference = class OrthophotoReference {
 	}
 	free() {
 		const ptr = this.__destroy_into_raw();
-		wasm.__wbg_orthophotoreference_free(ptr, 0);
+		if (ptr !== 0) wasm.__wbg_orthophotoreference_free(ptr, 0);
 	}
 	adjust(name, file, given) {
 		const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, name, file, given);
@@ -442,8 +442,8 @@ var OrthophotoReference = class OrthophotoReference {
 		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 		return v1;
 	}
-	place(name, file, cameras, film) {
-		const ret = wasm.orthophotoreference_place(this.__wbg_ptr, name, file, isLikeNone(cameras) ? 0 : addToExternrefTable0(cameras), film);
+	place(name, file, cameras, film, position) {
+		const ret = wasm.orthophotoreference_place(this.__wbg_ptr, name, file, isLikeNone(cameras) ? 0 : addToExternrefTable0(cameras), film, position);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -480,7 +480,7 @@ var Photo = class Photo {
 	}
 	free() {
 		const ptr = this.__destroy_into_raw();
-		wasm.__wbg_photo_free(ptr, 0);
+		if (ptr !== 0) wasm.__wbg_photo_free(ptr, 0);
 	}
 	static decode(bytes) {
 		const ret = wasm.photo_decode(bytes);
@@ -550,7 +550,7 @@ var Report = class {
 	}
 	free() {
 		const ptr = this.__destroy_into_raw();
-		wasm.__wbg_report_free(ptr, 0);
+		if (ptr !== 0) wasm.__wbg_report_free(ptr, 0);
 	}
 	html() {
 		let deferred2_0;
@@ -571,10 +571,10 @@ var Report = class {
 			wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 		}
 	}
-	constructor(left, right, names, input, settings, truth, left_mask, right_mask) {
+	constructor(left, right, names, input, settings, truth, left_mask, right_mask, edits) {
 		_assertClass(left, Photo);
 		_assertClass(right, Photo);
-		const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, isLikeNone(left_mask) ? 0 : addToExternrefTable0(left_mask), isLikeNone(right_mask) ? 0 : addToExternrefTable0(right_mask));
+		const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, isLikeNone(left_mask) ? 0 : addToExternrefTable0(left_mask), isLikeNone(right_mask) ? 0 : addToExternrefTable0(right_mask), edits);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		this.__wbg_ptr = ret[0];
 		ReportFinalization.register(this, this.__wbg_ptr, this);
@@ -599,7 +599,7 @@ var Run = class {
 	}
 	free() {
 		const ptr = this.__destroy_into_raw();
-		wasm.__wbg_run_free(ptr, 0);
+		if (ptr !== 0) wasm.__wbg_run_free(ptr, 0);
 	}
 	complete(id, bytes) {
 		const ret = wasm.run_complete(this.__wbg_ptr, id, bytes);
@@ -697,6 +697,11 @@ function camera_label(camera, width, height) {
 }
 function camera_of_exif(exif) {
 	const ret = wasm.camera_of_exif(exif);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function camera_of_focal_px(focal_px) {
+	const ret = wasm.camera_of_focal_px(focal_px);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -1847,6 +1852,19 @@ function tabbed(place, label, tabs) {
 function showTab(id) {
 	document.getElementById(id)?.click();
 }
+// www/shared/panel/reach.ts
+function reachable(element) {
+	if (element.closest("[hidden]:not([role=\"tabpanel\"])") !== null) return false;
+	return element.closest("main")?.checkVisibility() !== false;
+}
+function reveal(element) {
+	const side = element.closest(".side");
+	if (side !== null) setDrawer(side.classList.contains("of-settings") ? "settings" : "details", true);
+	if (element.closest(".dock") !== null) setDrawer("table", true);
+	const tab = element.closest("[role=\"tabpanel\"][hidden]")?.getAttribute("aria-labelledby");
+	if (tab != null) showTab(tab);
+	for (let fold = element.closest("details"); fold !== null; fold = fold.parentElement?.closest("details") ?? null) fold.open = true;
+}
 // www/shared/state/store.ts
 var Holder = class {
 	current;
@@ -2270,8 +2288,8 @@ var MOVES = [
 		run: (movable) => movable.fit()
 	}
 ];
-function listen(host, movable, keyHost = host) {
-	new Gestures(host, movable, keyHost);
+function listen(host, movable, keyHost = host, takesAll = () => false) {
+	new Gestures(host, movable, keyHost, takesAll);
 }
 function listenKeys(host, command) {
 	host.addEventListener("keydown", (event) => {
@@ -2287,7 +2305,7 @@ var Gestures = class {
 	clicked = false;
 	encloses = false;
 	path = [];
-	constructor(host, movable, keyHost) {
+	constructor(host, movable, keyHost, takesAll) {
 		this.host = host;
 		this.movable = movable;
 		host.addEventListener("pointerdown", (event) => this.down(event));
@@ -2297,6 +2315,9 @@ var Gestures = class {
 		host.addEventListener("pointerleave", () => movable.pointed(null, false));
 		host.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
 		keyHost.addEventListener("keydown", (event) => this.key(event));
+		document.addEventListener("keydown", (event) => {
+			if (event.target === document.body && !event.defaultPrevented && document.querySelector("dialog[open]") === null && host.offsetParent !== null && takesAll()) this.key(event);
+		});
 	}
 	place(event) {
 		const box = this.host.getBoundingClientRect();
@@ -5301,6 +5322,43 @@ function facts(list) {
 		];
 	}));
 }
+// pkg/block/option-name.js
+var optionName = ({ key, named }) => named || key.replace(/^.*\./, "").replaceAll("_", "-");
+// www/shared/text/names.ts
+var OTHER$1 = {
+	"camera.focal_mm": say("focal-length"),
+	"camera.pixel_mm": say("pixel-size"),
+	"camera.principal_point_mm": say("principal-point"),
+	"camera.radial_distortion": say("radial-distortion"),
+	"camera.tangential_distortion": say("tangential-distortion"),
+	focal_mm: say("focal-length"),
+	origin: say("origin-in-the-scan-2")
+};
+var FILES = {
+	geoid: say("geoid"),
+	orthophoto: say("orthophoto")
+};
+var IN_BRACKETS = /\(([^()]*--[a-z][^()]*)\)/gu;
+var OPTION = /`?\u200f?--([a-z]+(?:-[a-z]+)*)`?/gu;
+function readable(catalogue, message) {
+	const labels = new Map(Object.entries(OTHER$1));
+	for (const { key, label } of [...catalogue?.parameters ?? [], ...catalogue?.flightParameters ?? []]) labels.set(key, label);
+	return withSettings(catalogue, message).replace(/[a-z]+\.[a-z0-9_]+/gu, (key) => quoted(labels.get(key)) ?? key).replace(/^(\w+)(?= is )/u, (key) => quoted(labels.get(key)) ?? key).replace(/(\d) x (?=\d)/gu, "$1 × ");
+}
+function withSettings(catalogue, message) {
+	if (!message.includes("--")) return message;
+	const labels = new Map(Object.entries(FILES));
+	for (const parameter of catalogue?.parameters ?? []) labels.set(optionName(parameter), parameter.label);
+	const labelled = (text) => text.replace(OPTION, (option, name) => quoted(labels.get(name)) ?? option);
+	const inBrackets = (brackets, inner) => {
+		const settings = labelled(inner);
+		return settings === inner ? brackets : `(${say("named-settings", { settings })})`;
+	};
+	return labelled(message.replace(IN_BRACKETS, inBrackets));
+}
+function quoted(label) {
+	return label === void 0 ? void 0 : `“${label}”`;
+}
 // www/shared/panel/scrolled.ts
 function byKeys(text) {
 	if (text.scrollHeight > text.clientHeight || text.scrollWidth > text.clientWidth) text.setAttribute("tabindex", "0");
@@ -5377,24 +5435,6 @@ function answerCard(host, line, buttons, prefix) {
 		fill(others, ...instead.map(({ text: own }, i) => button(own, `${prefix}other-${String(i + 1)}`, () => instead[i]?.act())));
 		others.hidden = instead.length === 0;
 	};
-}
-// www/shared/text/names.ts
-var OTHER$1 = {
-	"camera.focal_mm": say("focal-length"),
-	"camera.pixel_mm": say("pixel-size"),
-	"camera.principal_point_mm": say("principal-point"),
-	"camera.radial_distortion": say("radial-distortion"),
-	"camera.tangential_distortion": say("tangential-distortion"),
-	focal_mm: say("focal-length"),
-	origin: say("origin-in-the-scan-2")
-};
-function readable(catalogue, message) {
-	const labels = new Map(Object.entries(OTHER$1));
-	for (const { key, label } of [...catalogue?.parameters ?? [], ...catalogue?.flightParameters ?? []]) labels.set(key, label);
-	return message.replace(/[a-z]+\.[a-z0-9_]+/gu, (key) => quoted(labels.get(key)) ?? key).replace(/^(\w+)(?= is )/u, (key) => quoted(labels.get(key)) ?? key).replace(/(\d) x (?=\d)/gu, "$1 × ");
-}
-function quoted(label) {
-	return label === void 0 ? void 0 : `“${label}”`;
 }
 // www/shared/state/notice.ts
 function ofLine(notice) {
@@ -5506,8 +5546,8 @@ var UNMEASURED = {
 	x_mm: NaN,
 	y_mm: NaN
 };
-var isMeasured = ({ col, row }) => Number.isFinite(col) && Number.isFinite(row);
-var isWhole$1 = (mark) => isMeasured(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm);
+var isMeasured$1 = ({ col, row }) => Number.isFinite(col) && Number.isFinite(row);
+var isWhole$1 = (mark) => isMeasured$1(mark) && Number.isFinite(mark.x_mm) && Number.isFinite(mark.y_mm);
 function withCoordinatesOf(marks, others) {
 	const known = ({ x_mm, y_mm }) => Number.isFinite(x_mm) && Number.isFinite(y_mm);
 	let isSame = true;
@@ -5530,7 +5570,7 @@ var measuredPhoto = (photo) => ({
 });
 function placeOfMark({ origin }, mark) {
 	const [left, top] = origin ?? [0, 0];
-	return mark !== void 0 && isMeasured(mark) ? [mark.col - left, mark.row - top] : null;
+	return mark !== void 0 && isMeasured$1(mark) ? [mark.col - left, mark.row - top] : null;
 }
 var markInHand = ({ mark, photos }) => mark === null ? void 0 : photos[mark.side].fiducials[mark.index];
 // www/pair/state/cameras.ts
@@ -5775,34 +5815,44 @@ function compute(state) {
 	const truth = truthOf(state);
 	const edited = withEdits(state, match);
 	const placed = standingOf(state.history.edits, state.history.done).placed.size > 0;
+	const orientation = (matches) => keyOf("orientation", [
+		matches,
+		orientable,
+		...interiors
+	], settings?.orientation);
 	return {
-		openLeft,
-		openRight,
-		pointsLeft,
-		pointsRight,
-		descriptorsLeft,
-		descriptorsRight,
-		offset,
-		match,
-		interiorLeft,
-		interiorRight,
-		orientation: keyOf("orientation", [
-			edited,
-			orientable,
-			...interiors
-		], settings?.orientation),
-		score: keyOf("score", [edited, truth === null ? null : ""], [truth?.leftId, truth?.rightId]),
-		line: keyOf("line", [match, state.draft === null ? null : ""], knownOfDraft(state)),
-		inspection: keyOf("inspection", [placed ? edited : match, state.selection === null ? null : ""], [state.selection, settings?.window])
+		keys: {
+			openLeft,
+			openRight,
+			pointsLeft,
+			pointsRight,
+			descriptorsLeft,
+			descriptorsRight,
+			offset,
+			match,
+			interiorLeft,
+			interiorRight,
+			orientation: orientation(edited),
+			score: keyOf("score", [edited, truth === null ? null : ""], [truth?.leftId, truth?.rightId]),
+			line: keyOf("line", [match, state.draft === null ? null : ""], knownOfDraft(state)),
+			inspection: keyOf("inspection", [placed ? edited : match, state.selection === null ? null : ""], [state.selection, settings?.window])
+		},
+		run: orientation(match)
 	};
 }
 var last = null;
-function wantedKeys(state) {
+function computed(state) {
 	if (last?.state !== state) last = {
 		state,
-		keys: compute(state)
+		...compute(state)
 	};
-	return last.keys;
+	return last;
+}
+function wantedKeys(state) {
+	return computed(state).keys;
+}
+function runKey(state) {
+	return computed(state).run;
 }
 function isCurrent(state, stage) {
 	const key = wantedKeys(state)[stage];
@@ -5857,6 +5907,12 @@ var NO_POINT = 4294967295;
 var SAME_PLACE_PX = .5;
 function isManual({ matches }, row) {
 	return matches[5 * row + 4] === -1;
+}
+function isMeasured(edited, { placed }, left) {
+	const row = rowOfEdited(edited.match)[left] ?? -1;
+	if (row >= 0) return isManual(edited.match, row);
+	const target = targetOfLeft(edited, left);
+	return target !== null && placed.has(keyOfTarget(target));
 }
 var rowsByPixel = remember((matches) => {
 	const cells = new Map();
@@ -6761,6 +6817,9 @@ function progress(state) {
 		running: RUN_STAGES.filter((stage) => state.running[stage] !== void 0)
 	};
 }
+function isBusy(state) {
+	return Object.keys(state.running).length > 0 || state.notice?.kind === "busy";
+}
 function currentFailure(state) {
 	const keys = wantedKeys(state);
 	for (const stage of [
@@ -6795,7 +6854,12 @@ function isBlank(state) {
 	return catalogue === null || images.left === null && images.right === null && settings === catalogue.defaults && flight === (catalogue.flights[0]?.flight ?? null) && camera === null && photos === INITIAL.photos && fiducialModel === INITIAL.fiducialModel && offset === null;
 }
 function isWorthKeeping(state) {
-	return SIDES.every((side) => state.images[side]?.source.kind === "file") && isCurrent(state, "match");
+	const areOwn = SIDES.every((side) => (state.images[side]?.source.kind ?? "grey") !== "grey");
+	const isMatched = state.results.match !== void 0 && isCurrent(state, "openLeft") && isCurrent(state, "openRight");
+	return areOwn && isMatched || isEdited(state) || SIDES.some((side) => state.masks[side] !== null);
+}
+function hasMarks({ images, photos, truth }) {
+	return truth === null && SIDES.some((side) => images[side] !== null && hasData(photos[side]));
 }
 function hasData({ fiducials, origin }) {
 	return fiducials.length > 0 || origin !== null;
@@ -6880,11 +6944,16 @@ function withKept(state, { typed, display, flight, paused, images, masks, truth,
 		...result.beside,
 		...opened
 	}, result.times);
+	const { orientation } = made.results;
+	const before = history.done === 0 || orientation === void 0 ? null : {
+		run: runKey(made),
+		orientation: orientation.value
+	};
 	return {
 		...made,
 		...typed,
 		history,
-		before: history.done === 0 ? null : made.results.orientation?.value ?? null
+		before
 	};
 }
 function bothSides(of) {
@@ -7129,12 +7198,13 @@ async function candidatesOf(workers, state, left) {
 	});
 }
 async function comparedOf(workers, state, left) {
-	const { best, places, rules } = matchOf$1(state);
+	const { best, places } = matchOf$1(state);
 	const { selection } = state;
 	const right = selection?.side === "right" ? selection.index : best[left] ?? -1;
 	if (comparesGradients(settingsOf(state))) {
 		const [ofLeft, ofRight] = await Promise.all([featureAt(workers, state, "left", left), featureAt(workers, state, "right", right)]);
-		const byHand = rules[left] === BY_HAND;
+		const edited = editedPair(state);
+		const byHand = edited !== null && isMeasured(edited, standingOf(state.history.edits, state.history.done), left);
 		return {
 			left: null,
 			right: null,
@@ -7724,7 +7794,7 @@ function camerasOf(state) {
 		from: state.camera === null ? "exif" : "given"
 	};
 }
-function editsOf(state) {
+function editsOf$1(state) {
 	const edited = editedPair(state);
 	if (edited === null) return null;
 	const { rules, matches } = edited.match;
@@ -7778,7 +7848,7 @@ function everything(state) {
 		},
 		matches: match === null ? null : rows(match.matches, 5),
 		match_indices: match === null ? null : rows(match.indices, 2).map((pair) => pair.map((index) => index === 4294967295 ? null : index)),
-		edits: editsOf(state),
+		edits: editsOf$1(state),
 		fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => fit.every(Number.isNaN) ? null : fit.map(finite)),
 		verdicts: verdicts(state),
 		geometry: match?.geometry ?? null,
@@ -8066,7 +8136,7 @@ var Files = class {
 		});
 		try {
 			const opened = await readProject(this.engine, file, freshId);
-			const aside = await this.leave();
+			const aside = await this.leave(hasMarks(this.store.state));
 			this.store.dispatch({
 				type: "opened",
 				opened
@@ -8147,7 +8217,7 @@ var Files = class {
 					...pair[side]
 				}
 			});
-			const aside = await this.leave();
+			const aside = await this.leave(hasMarks(this.store.state));
 			this.store.dispatch({
 				type: "simulated",
 				left: given("left"),
@@ -8369,9 +8439,9 @@ var Files = class {
 		return SIDES.some((side) => before[side] !== null && images[side]?.id !== before[side].id) && camera !== null && calibrationBehind(camera) === null ? info(say("the-camera-that-was-given-stays")) : null;
 	}
 	async show(images) {
-		const { photos } = this.store.state;
+		const { photos, images: former } = this.store.state;
 		const marked = await this.marked(images);
-		const aside = await this.leave(marked.gone.length > 0);
+		const aside = SIDES.some((side) => images[side] !== void 0 && former[side] !== null) ? await this.leave(marked.gone.length > 0) : null;
 		this.store.dispatch({
 			type: "images",
 			images,
@@ -8394,8 +8464,8 @@ var Files = class {
 	isSame(a, b) {
 		return a === null || b === void 0 ? Promise.resolve(false) : haveSameContent(a.source, b.source, this.engine);
 	}
-	async leave(always = false) {
-		if (!always && !isWorthKeeping(this.store.state)) return null;
+	async leave(marksGo) {
+		if (!marksGo && !isWorthKeeping(this.store.state)) return null;
 		const names = SIDES.flatMap((side) => this.store.state.images[side]?.name ?? []);
 		return await this.putAside() ? info(say("stay-under-projects", { title_of: titleOf({
 			name: null,
@@ -8470,7 +8540,7 @@ var KeptPairs = class {
 	catalogue;
 	mode = "pair";
 	made = null;
-	making = false;
+	making = null;
 	journal = new Journal();
 	timer;
 	changed = () => void 0;
@@ -8586,28 +8656,38 @@ var KeptPairs = class {
 		if (Object.keys(this.store.state.running).length > 0) this.engine.cancel();
 		this.store.dispatch({ type: "cleared" });
 	}
-	async make() {
-		const { state } = this.store;
-		if (this.making || !isWhole(state)) return;
-		const results = resultsOf(state);
-		const typed = typedOf(state);
-		if (typed === null || this.made !== null && areSame(this.made.results, results)) return;
-		this.making = true;
-		try {
-			const project = await projectText(unedited(state), this.engine);
-			if (project !== null) this.made = {
-				results,
-				kept: {
-					project,
-					typed,
-					of: filesOf$1(state),
-					...besideOf(state)
-				}
-			};
-		} catch {}
-		this.making = false;
-		this.changed();
-		if (this.store.state !== state) this.make();
+	async settled() {
+		window.clearTimeout(this.timer);
+		await this.make();
+	}
+	make() {
+		this.making ??= this.makeAll().finally(() => {
+			this.making = null;
+		});
+		return this.making;
+	}
+	async makeAll() {
+		for (;;) {
+			const { state } = this.store;
+			const typed = typedOf(state);
+			if (typed === null || !isWhole(state)) return;
+			const results = resultsOf(state);
+			if (this.made !== null && areSame(this.made.results, results)) return;
+			try {
+				const project = await projectText(unedited(state), this.engine);
+				if (project !== null) this.made = {
+					results,
+					kept: {
+						project,
+						typed,
+						of: filesOf$1(state),
+						...besideOf(state)
+					}
+				};
+			} catch {}
+			this.changed();
+			if (this.store.state === state) return;
+		}
 	}
 	async masks({ masks }, parts, standing) {
 		const read = async (side) => {
@@ -9056,6 +9136,9 @@ function allowedOfCamera(part) {
 		...part
 	})));
 }
+function allowedOfFocalPx(px, camera) {
+	return allowedInstead(() => camera_of_focal_px(px)) ?? allowedOfCamera(camera(px));
+}
 function allowedOfOffset(dx, dy) {
 	return allowedInstead(() => constant_offset(dx, dy));
 }
@@ -9083,6 +9166,52 @@ function problemOfFlight(flight) {
 		field: optionOf(refusal)?.field ?? null,
 		text: messageOf(refusal)
 	};
+}
+// www/pair/state/focal.ts
+function focalOf(state) {
+	const { match, orientation } = state.results;
+	const [camera] = (isCurrent(state, "orientation") ? orientation?.value.cameras : null) ?? [];
+	const interior = interiorInUse(state);
+	if (camera === void 0 || interior === null) return null;
+	const pixel = pixelMm(interior.left);
+	const isEstimated = "missing" in pairCameras(state) && (match?.value.geometry?.focal != null || camera.focal_mm !== interior.focal_mm);
+	return {
+		focalPx: camera.focal_mm / pixel,
+		errorPx: camera.focal_standard_error_mm / pixel,
+		isEstimated
+	};
+}
+// www/pair/state/given-camera.ts
+var DIGITS = 12;
+function focalPxOf({ focal_mm, pixel_mm }) {
+	return pixel_mm == null ? null : Number((focal_mm / pixel_mm).toPrecision(DIGITS));
+}
+function withFocalPx(camera, px) {
+	if (camera === null) return camera_of_focal_px(px);
+	const { focal_mm, pixel_mm } = camera;
+	const rounded = (value) => Number(value.toPrecision(DIGITS));
+	return pixel_mm == null ? {
+		...camera,
+		pixel_mm: rounded(focal_mm / px)
+	} : {
+		...camera,
+		focal_mm: rounded(pixel_mm * px)
+	};
+}
+function cameraForBoth(state) {
+	const { openLeft, openRight } = state.results;
+	if (state.camera !== null || openLeft === void 0 || openRight === void 0) return null;
+	const [left, right] = photoFacts(state);
+	if (left.width_px !== right.width_px || left.height_px !== right.height_px) return null;
+	const [one, other] = SIDES.flatMap((side) => {
+		const facts = side === "left" ? left : right;
+		const cameras = pair_cameras(null, facts, facts);
+		return "missing" in cameras ? [] : [{
+			side,
+			camera: cameras[side]
+		}];
+	});
+	return one === void 0 || other !== void 0 ? null : one;
 }
 // www/pair/panel/camera.ts
 var NUMBERS = [
@@ -9182,6 +9311,60 @@ function cameraOf(numbers, last) {
 		...uncertain
 	};
 }
+function focalPxField(store) {
+	const label = say("focal-length");
+	const change = () => {
+		const last = store.state.camera;
+		const before = (last === null ? null : focalPxOf(last)) ?? void 0;
+		const px = readNumber(field, (value) => allowedOfFocalPx(value, (given) => withFocalPx(last, given)), before);
+		if (px !== before) store.dispatch({
+			type: "camera",
+			camera: px === void 0 ? null : withFocalPx(last, px)
+		});
+		store.dispatch({
+			type: "refused",
+			part: "camera",
+			label: firstRefused([[label, field.input]])
+		});
+	};
+	const field = numberField$1(label, "px", "camera-focal-px", change);
+	const note = h("p", {
+		class: "note",
+		id: "focal-px-note",
+		testid: "focal-px-note"
+	});
+	field.input.setAttribute("aria-describedby", `${field.problem.id} ${note.id}`);
+	store.watch((s) => [s.camera, SIDES.some((side) => wholeMarks(s.photos[side]).length > 0)], ([camera, areScans]) => {
+		showNumber(field, camera === null ? null : focalPxOf(camera));
+		field.input.disabled = areScans;
+		note.textContent = say("focal-length-in-px-sets", { what: areScans ? "scans" : camera !== null && camera.pixel_mm == null ? "pixel" : "focal" });
+	});
+	return {
+		element: field.element,
+		note
+	};
+}
+function sharedCamera(store) {
+	const use = button("", "camera-for-both", () => {
+		const shared = cameraForBoth(store.state);
+		if (shared !== null) store.dispatch({
+			type: "camera",
+			camera: shared.camera
+		});
+	});
+	const group = h("div", { class: "buttons" }, use);
+	store.watch((s) => [
+		s.camera,
+		s.photos,
+		s.results.openLeft,
+		s.results.openRight
+	], () => {
+		const shared = cameraForBoth(store.state);
+		group.hidden = shared === null;
+		if (shared !== null) use.textContent = say("use-the-camera-for-both", { side: shared.side });
+	});
+	return group;
+}
 var IN_TEXT = [
 	"openLeft",
 	"openRight",
@@ -9208,6 +9391,7 @@ function mountCamera(host, store, loadFile) {
 		});
 	};
 	const fields = NUMBERS.map(({ label, unit, testid }) => numberField$1(label, unit, testid, change));
+	const inPixels = focalPxField(store);
 	const source = h("p", {
 		class: "note",
 		testid: "camera-source"
@@ -9217,7 +9401,7 @@ function mountCamera(host, store, loadFile) {
 		type: "camera",
 		camera: null
 	}));
-	host.append(h("fieldset", { class: "group" }, h("legend", {}, say("camera")), source, calibrationGroup(store), h("div", { class: "pairs" }, ...fields.map(({ element }) => element)), h("div", { class: "buttons" }, load, clear)), offsetGroup(store));
+	host.append(h("fieldset", { class: "group" }, h("legend", {}, say("camera")), source, calibrationGroup(store), sharedCamera(store), h("div", { class: "pairs" }, inPixels.element, ...fields.map(({ element }) => element)), inPixels.note, h("div", { class: "buttons" }, load, clear)), offsetGroup(store));
 	store.watch(["camera"], ([camera]) => {
 		fields.forEach((field, i) => {
 			showNumber(field, camera === null ? null : NUMBERS[i]?.of(camera));
@@ -9252,7 +9436,8 @@ function exifText(name, exif) {
 function sourceText(state) {
 	const exif = [["left", state.results.openLeft], ["right", state.results.openRight]].map(([name, opened]) => opened?.value.info.camera == null ? "" : exifText(name, opened.value.info.camera)).filter((text) => text !== "").join(" ");
 	const used = pairCameras(state);
-	const told = estimatedText(state);
+	const focal = focalOf(state);
+	const told = focalText(focal);
 	if (state.camera !== null && "missing" in used) return say("the-focal-length-is-not-used-yet", { exif });
 	if (state.camera !== null) return say("in-use-the-values-below", {
 		what: state.truth === null ? "" : say("they-came-with-the-sample"),
@@ -9263,21 +9448,17 @@ function sourceText(state) {
 		told,
 		exif
 	});
-	if (interiorInUse(state) !== null) return say("no-camera-is-known-that", {
+	if (interiorInUse(state) !== null) return say("no-camera-is-known", {
+		source: focal?.isEstimated === true ? "estimated" : "assumed",
 		told,
 		exif
 	});
 	return say("orientation-needs-a-focal-length", { exif });
 }
-function estimatedText(state) {
-	if (!isCurrent(state, "orientation")) return "";
-	const camera = state.results.orientation?.value.cameras?.[0];
-	const interior = interiorInUse(state)?.left;
-	if (camera == null || interior === void 0) return "";
-	const [focal, error] = [camera.focal_mm, camera.focal_standard_error_mm].map((v) => v / pixelMm(interior));
-	return say("focal-length-px", {
-		focal: focal ?? NaN,
-		error: error ?? NaN
+function focalText(focal) {
+	return focal === null ? "" : say("focal-length-px", {
+		focal: focal.focalPx,
+		error: focal.errorPx
 	});
 }
 function offsetGroup(store) {
@@ -9849,8 +10030,11 @@ function editOfDraft(state) {
 	};
 }
 // www/pair/panel/draft.ts
-function mountDraft(host, store, editing, follow) {
-	const tool = button(say("add-match"), "tool-measure", () => editing.toggle("measure"), say("measure-a-match-by-hand"));
+function mountDraft(host, store, editing, follow, begun) {
+	const tool = button(say("add-match"), "tool-measure", () => {
+		editing.toggle("measure");
+		begun();
+	}, say("measure-a-match-by-hand"));
 	const text = h("span", {
 		testid: "draft-text",
 		role: "status"
@@ -9959,6 +10143,17 @@ function toggled(chosen, keys) {
 	for (const key of keys) if (all) own.delete(key);
 	else own.add(key);
 	return [...own];
+}
+// www/pair/state/compared.ts
+function comparedEdit(state) {
+	const { before, history, results } = state;
+	if (history.edits.length === 0 || before === null || before.run !== runKey(state)) return null;
+	const now = isCurrent(state, "orientation") ? results.orientation?.value ?? null : null;
+	return {
+		before: before.orientation,
+		now,
+		comes: now === null && whyNone(state) === null
+	};
 }
 // www/pair/panel/marking.ts
 function marksHaveKeys({ tool }) {
@@ -10110,7 +10305,11 @@ function mountEdits(host, store, editing, follow) {
 		s.chosen,
 		s.selection,
 		s.before,
-		s.images
+		s.images,
+		s.settings,
+		s.camera,
+		s.photos,
+		s.failures
 	], () => {
 		const { state } = store;
 		panel.hidden = editedPair(state) === null;
@@ -10140,9 +10339,9 @@ var ANGLES = [
 	"kappa_deg"
 ];
 function comparison(state) {
-	const { before, history } = state;
-	if (history.edits.length === 0 || before === null) return [];
-	const now = isCurrent(state, "orientation") ? state.results.orientation?.value ?? null : null;
+	const compared = comparedEdit(state);
+	if (compared === null) return [];
+	const { before, now, comes } = compared;
 	const interior = interiorInUse(state)?.left;
 	const pixel = interior === void 0 ? NaN : pixelMm(interior);
 	const used = (of) => count(countsOf$1(of).used);
@@ -10157,7 +10356,7 @@ function comparison(state) {
 	}, text(before)), h("td", {
 		class: "number",
 		testid: `${testid}-now`
-	}, now === null ? "…" : text(now)));
+	}, now === null ? comes ? "…" : "–" : text(now)));
 	const head = h("tr", {}, h("th", { scope: "col" }, say("orientation")), h("th", { scope: "col" }, say("before")), h("th", { scope: "col" }, say("now-2")));
 	const angles = ANGLES.map((field) => {
 		const symbol = UNKNOWNS.find((unknown) => unknown.field === field)?.symbol ?? field;
@@ -10197,8 +10396,12 @@ function mountEditTools(host, bar, store, editing) {
 		showSteps(undo, redo, state.history, nameOfEdit);
 	});
 }
-function mountEditKeys(list, store, editing) {
+function mountEditKeys(list, store, editing, follow) {
 	undoKeys(() => byId("view").offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== "mask" && !marksHaveKeys(store.state), (by) => editing.step(by));
+	const move = () => {
+		editing.move();
+		follow();
+	};
 	const keys = [
 		{
 			keys: ["Delete", "Backspace"],
@@ -10218,7 +10421,7 @@ function mountEditKeys(list, store, editing) {
 		{
 			keys: ["e"],
 			does: say("measures-the-selected-match-anew"),
-			run: () => editing.move()
+			run: move
 		},
 		{
 			keys: ["Escape"],
@@ -10539,6 +10742,24 @@ async function exportEpipolar(store, engine) {
 	}
 }
 // www/pair/files/report.ts
+function editsOf(state) {
+	const edited = isEdited(state) ? editedPair(state) : null;
+	if (edited === null || edited.match === edited.found) return null;
+	const { left, match, found } = edited;
+	const { matches, fits, indices } = match;
+	const added = left.subarray(3 * found.rules.length);
+	const { rejected, manual } = countsByHand(match);
+	return {
+		match: {
+			matches,
+			fits,
+			indices
+		},
+		added_px: Float64Array.from({ length: 2 * added.length / 3 }, (_, i) => added[3 * Math.floor(i / 2) + i % 2] ?? NaN),
+		rejected,
+		measured: manual
+	};
+}
 function inputOf(state) {
 	const { left, right } = state.images;
 	const { settings, camera, photos, masks, offset, fiducialModel } = state;
@@ -10563,7 +10784,8 @@ function inputOf(state) {
 			base_mm: truth.baseMm,
 			right_position: truth.rightPosition
 		},
-		masks: [masks.left?.grey ?? null, masks.right?.grey ?? null]
+		masks: [masks.left?.grey ?? null, masks.right?.grey ?? null],
+		edits: editsOf(state)
 	};
 }
 async function exportReport(store, engine) {
@@ -10594,10 +10816,10 @@ async function exportReport(store, engine) {
 		const text = say("the-report-was-saved-it");
 		store.dispatch({
 			type: "notice",
-			notice: isEdited(store.state) ? {
+			notice: input.edits === null ? null : {
 				kind: "info",
 				text
-			} : null
+			}
 		});
 	} catch (error) {
 		if (!(error instanceof Cancelled)) throw error;
@@ -10612,629 +10834,29 @@ async function exportReport(store, engine) {
 		client.cancel();
 	}
 }
-// pkg/pair/camera-wanted.js
-var GIVEN = [
-	"no_camera",
-	"no_focal_length",
-	"no_pixel_size",
-	"altered",
-	"unknown_camera",
-	"resized_or_cropped",
-	"cropped",
-	"other_pixels"
+// www/pair/state/savable.ts
+var EXPORTS = [
+	"csv",
+	"json",
+	"project",
+	"report",
+	"epipolar",
+	"png"
 ];
-var OTHER = [
-	"focal_length",
-	"wide_angle",
-	"contradicted_focal",
-	"doubtful_focal"
-];
-function cameraWanted(verdict) {
-	if (verdict.kind === "oriented") return null;
-	const { kind } = verdict.kind === "weak" ? verdict.warning : verdict.no_orientation;
-	if (GIVEN.includes(kind)) return "given";
-	return OTHER.includes(kind) ? "other" : null;
-}
-// pkg/pair/at-base.js
-function atBase(orientation, baseMm, otherMm) {
-	const scale = baseMm === 0 ? NaN : otherMm / baseMm;
+function savable(state) {
+	const { images, results } = state;
+	const rests = images.left !== null && images.right !== null && !isBusy(state);
+	const { wanted, done } = progress(state);
+	const areThere = ![images.left, images.right].some((image) => image?.source.kind === "project");
+	const { match, orientation } = shownPair(state);
 	return {
-		...orientation,
-		by_mm: scale * orientation.by_mm,
-		bz_mm: scale * orientation.bz_mm
+		csv: rests && match !== null,
+		json: rests && done === wanted && results.pointsLeft !== void 0,
+		project: rests && isCurrent(state, "match"),
+		report: rests && areThere && (!isEdited(state) || isCurrent(state, "match")),
+		epipolar: rests && areThere && orientation !== null,
+		png: images.left !== null || images.right !== null
 	};
-}
-// www/pair/panel/matrix.ts
-var CELL = 44;
-var HEAD = 26;
-var FOOT = 12;
-function correlationPicture({ correlations }) {
-	const size = HEAD + CELL * UNKNOWNS.length;
-	const words = UNKNOWNS.flatMap(({ symbol }, i) => UNKNOWNS.slice(i + 1).map((other, k) => say("and", {
-		symbol,
-		symbol_2: other.symbol,
-		correlations: correlations[i]?.[i + 1 + k]
-	})));
-	const heads = UNKNOWNS.flatMap(({ symbol }, i) => [svg("text", {
-		x: HEAD + CELL * (i + .5),
-		y: 18,
-		class: "matrix-name"
-	}, symbol), svg("text", {
-		x: HEAD / 2,
-		y: HEAD + CELL * (i + .5) + 4,
-		class: "matrix-name"
-	}, symbol)]);
-	const cells = UNKNOWNS.flatMap((_, i) => UNKNOWNS.map((__, j) => cellOf(correlations[i]?.[j] ?? NaN, i, j)));
-	return h("figure", { testid: "correlations" }, h("figcaption", { title: say("from-the-inverse-of-the") }, say("correlations-of-the-unknowns")), svg("svg", {
-		viewBox: `0 0 ${String(size)} ${String(size)}`,
-		class: "correlations",
-		role: "img",
-		"aria-label": say("correlations", { join: words.join(", ") })
-	}, ...heads, ...cells));
-}
-function cellOf(value, row, column) {
-	const side = 28 * Math.sqrt(Math.min(1, Math.abs(value)));
-	const x = HEAD + CELL * (column + .5);
-	const y = HEAD + CELL * (row + .5);
-	const middle = y - FOOT / 2;
-	return svg("g", { "data-testid": `correlation-${String(row)}-${String(column)}` }, svg("rect", {
-		x: x - CELL / 2,
-		y: y - CELL / 2,
-		width: CELL,
-		height: CELL,
-		class: "matrix-cell"
-	}), svg("rect", {
-		x: x - side / 2,
-		y: middle - side / 2,
-		width: side,
-		height: side,
-		class: value < 0 ? "negative" : "positive"
-	}), svg("text", {
-		x,
-		y: y + CELL / 2 - 3,
-		class: "matrix-value"
-	}, fixed(value, 2)));
-}
-var PLOT = 150;
-function ellipsePicture(ellipse, deviation) {
-	const { semi_major: major, semi_minor: minor, bearing_deg: angle } = ellipse;
-	const reach = Math.max(2 * major, ...(deviation ?? []).map((d) => 1.15 * Math.abs(d)));
-	const scale = PLOT / 2 / reach;
-	const words = say("standard-error-ellipse-of-by", {
-		major: significant(major),
-		minor: significant(minor),
-		angle
-	});
-	const truth = deviation === null ? [] : [svg("path", {
-		d: cross(-deviation[0] * scale, deviation[1] * scale),
-		class: "truth"
-	})];
-	return h("figure", { testid: "ellipse" }, h("figcaption", { title: words }, say("by-bz-ellipse-m-dashed", {
-		major: significant(1e3 * major),
-		minor: significant(1e3 * minor),
-		what: deviation === null ? "" : say("cross-truth")
-	})), svg("svg", {
-		viewBox: `${String(-75)} ${String(-75)} ${String(PLOT)} ${String(PLOT)}`,
-		class: "ellipse",
-		role: "img",
-		"aria-label": words
-	}, svg("path", {
-		d: `M${String(-75)} 0h${String(PLOT)}M0 ${String(-75)}v${String(PLOT)}`,
-		class: "axis"
-	}), svg("ellipse", {
-		rx: major * scale,
-		ry: minor * scale,
-		transform: `rotate(${String(-angle)})`,
-		class: "outline"
-	}), svg("ellipse", {
-		rx: 2 * major * scale,
-		ry: 2 * minor * scale,
-		transform: `rotate(${String(-angle)})`,
-		class: "outline faint"
-	}), ...truth, svg("text", {
-		x: 59,
-		y: -5,
-		class: "matrix-name"
-	}, "by"), svg("text", {
-		x: 12,
-		y: -63,
-		class: "matrix-name"
-	}, "bz")));
-}
-function cross(x, y) {
-	return `M${String(x - 5)} ${String(y - 5)}l10 10M${String(x + 5)} ${String(y - 5)}l-10 10`;
-}
-// www/pair/panel/orientation.ts
-var SIGMA_CAVEAT = say("is-computed-from-y-parallaxes");
-function mountOrientation(host, store) {
-	const body = h("div", {});
-	const panel = section(say("relative-orientation"), "orientation-section", body);
-	host.append(panel);
-	store.watch([
-		"results",
-		"settings",
-		"images",
-		"failures",
-		"camera",
-		"photos",
-		"offset",
-		"fiducialModel"
-	], whenInSight(host, () => {
-		const { state } = store;
-		panel.classList.toggle("is-stale", whyNotOriented(state) === null && isStale(state, "orientation"));
-		fill(body, ...content$1(state));
-	}));
-}
-function content$1(state) {
-	const reason = whyNotOriented(state);
-	if (reason !== null) return [h("p", {
-		class: "note",
-		testid: "orientation-reason"
-	}, reason)];
-	const result = state.results.orientation?.value;
-	if (result === void 0) return [h("p", {
-		class: "note",
-		testid: "orientation-reason"
-	}, say("not-computed-yet"))];
-	return [
-		...estimatedFocal(state),
-		valueTable(state, result),
-		...result.turn_deg === 0 ? [] : [h("p", {
-			class: "note",
-			testid: "axes-turned"
-		}, say("axes-turned"))],
-		...warnings(result),
-		precision(state, result),
-		h("p", {
-			class: "caveat",
-			testid: "sigma-caveat"
-		}, SIGMA_CAVEAT),
-		pictures(state, result)
-	];
-}
-function estimatedFocal(state) {
-	const { match } = state.results;
-	const focal = match?.value.geometry?.focal ?? null;
-	if (!("missing" in pairCameras(state)) || focal === null || interiorInUse(state) === null) return [];
-	return [h("p", {
-		class: "note",
-		testid: "estimated-focal"
-	}, say("estimated-focal", {
-		focal_px: focal.focal_px,
-		error_px: focal.standard_error_px
-	}))];
-}
-function whyNotOriented(state) {
-	if (state.images.left === null || state.images.right === null) return say("two-images-are-needed");
-	const reason = whyNone(state);
-	if (reason === null || reason.kind === "refused") {
-		const failure = failureOf(state);
-		return failure === null ? null : say("not-oriented-3", { message: failure.message });
-	}
-	switch (reason.kind) {
-		case "no_geometry": return say("not-oriented-do-both-photos", { message: message("no_geometry", reason.no_geometry) });
-		case "no_camera":
-		case "no_focal_length":
-		case "no_pixel_size": {
-			const untold = isCurrent(state, "match") && state.results.match?.value.geometry != null ? say("and-the-matches-do-not") : "";
-			return say("not-oriented-give-the-focal", {
-				message: message("no_orientation", reason),
-				untold
-			});
-		}
-		default: return say("not-oriented-2", { message: message("no_orientation", reason) });
-	}
-}
-function truthFor(state, { base_mm: base }) {
-	const truth = truthOf(state);
-	return truth === null ? null : atBase(truth.orientation, truth.baseMm, base);
-}
-function valueTable(state, result) {
-	const truth = truthFor(state, result);
-	const paper = truth === null && hasPaperCamera(state) ? state.catalogue?.paper : void 0;
-	const { standard_errors: errors, total_standard_errors: total, half_widths_95: half } = result;
-	const number = (testid, value, digits, kind = "") => h("td", {
-		testid,
-		class: `number ${kind}`
-	}, fixed(value, digits));
-	const rows = UNKNOWNS.map(({ field, symbol, unit, digits: printedDigits }) => {
-		const digits = decimalsOfError(errors?.[field], printedDigits);
-		const error = truth === null ? NaN : result[field] - truth[field];
-		const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
-		const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
-		const interval = number(`interval-${field}`, half?.[field], digits);
-		const printed = paper === void 0 ? [] : [number(`paper-${field}`, paper.orientations[2].values[field], printedDigits, "paper"), number(`paper-error-${field}`, paper.standard_errors[field], printedDigits, "paper")];
-		const compared = truth === null ? printed : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
-		return row(h("span", {}, h("i", {}, symbol), h("span", { class: "unit" }, ` ${unitText(unit)}`)), ...own, ...withInterior, interval, ...compared);
-	});
-	const heads = [
-		[say("value"), say("the-right-photo-relative-to")],
-		[say("std-error"), say("what-the-scatter-of-the")],
-		...total === null ? [] : [[say("in-total"), say("standard-error-including-what-does")]],
-		["95 % ±", say("half-width-of-the-interval")],
-		...paper !== void 0 ? [[
-			say("paper-2"),
-			say("the-papers-table-3-of"),
-			"paper"
-		], [
-			say("its-error"),
-			say("the-papers-table-2"),
-			"paper"
-		]] : [],
-		...truth === null ? [] : [[say("true-error"), say("value-minus-truth-by-and")], [say("in-std-errors"), say("the-true-error-divided-by")]]
-	];
-	const note = paper !== void 0 ? h("p", { class: "note" }, paperNote(state, paper)) : null;
-	return h("div", {}, scrolledByKeys(h("div", { class: "scroll" }, h("table", {
-		class: "tight",
-		aria: { label: say("relative-orientation") }
-	}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, say("unknown")), ...heads.map(([text, title, kind = ""]) => h("th", {
-		scope: "col",
-		title,
-		class: kind
-	}, text)))), h("tbody", {}, ...rows)))), note);
-}
-function paperNote({ catalogue }, { pixel_mm: pixel }) {
-	const flight = catalogue?.flights.find(({ name }) => name === "paper")?.flight;
-	return say("paper", {
-		focal_mm: flight?.focal_mm ?? null,
-		base_mm: flight?.base_mm ?? null,
-		pixel_um: 1e3 * pixel
-	});
-}
-function warnings({ warnings: found }) {
-	return found.map((warning) => h("p", {
-		class: "field-problem",
-		testid: `warning-${warning.kind}`
-	}, message("warning", warning)));
-}
-function precision(state, result) {
-	const interior = interiorInUse(state)?.left;
-	const pixel = interior === void 0 ? null : pixelMm(interior);
-	const sigma = result.sigma0_mm;
-	const { all, used } = countsOf$1(result);
-	const test = result.global_test;
-	const printed = hasPaperCamera(state) ? state.catalogue?.paper : void 0;
-	return facts([
-		{
-			name: say("of-a-photo-coordinate"),
-			testid: "sigma0",
-			value: sigma == null ? "–" : `${withUnit(fixed(1e3 * sigma, 2), "µm")}${pixel === null ? "" : say("px-6", { sigma: sigma / pixel })}`,
-			help: say("standard-error-of-one-photo", { sigma_caveat: SIGMA_CAVEAT })
-		},
-		{
-			name: say("of-a-y-parallax-2"),
-			testid: "sigma-parallax",
-			value: sigma == null || pixel === null ? "–" : say("px-3", { value: Math.SQRT2 * sigma / pixel }),
-			help: say("standard-error-of-the-y")
-		},
-		...test === null ? [] : [{
-			name: say("global-test-2"),
-			testid: "global-test",
-			value: `${fixed(test.statistic, 1)}: ${test.passed ? say("passed") : say("failed-3")}`,
-			...test.passed ? {} : { kind: "problem" },
-			help: say("global-test", {
-				lower: test.lower,
-				upper: test.upper
-			})
-		}],
-		{
-			name: say("degrees-of-freedom"),
-			testid: "degrees-of-freedom",
-			value: count(result.degrees_of_freedom),
-			help: say("matches-used-minus-the-five")
-		},
-		{
-			name: say("matches-used"),
-			testid: "matches-used",
-			value: say("of-7", {
-				used,
-				residuals_mm: all
-			}),
-			help: say("data-snooping-rejected-the-others")
-		},
-		{
-			name: say("condition"),
-			testid: "condition",
-			value: significant(result.condition),
-			help: say("largest-by-smallest-eigenvalue-of")
-		},
-		{
-			name: say("misfit-to-a-plane"),
-			testid: "plane-misfit",
-			value: result.plane_misfit === null ? "–" : `${significant(result.plane_misfit)} σ₀`,
-			help: say("how-far-the-matches-deviate")
-		},
-		{
-			name: say("parallax-beside-a-rotation"),
-			testid: "rotation-parallax",
-			value: pixel === null ? say("mm-2", { value: significant(result.parallax_beside_rotation_mm) }) : say("px-7", { value: significant(result.parallax_beside_rotation_mm / pixel) }),
-			help: say("median-parallax-that-the-best")
-		},
-		{
-			name: say("spread"),
-			testid: "spread",
-			value: `${fixed(result.spread, 3)} f`,
-			help: say("root-mean-square-distance-of-the")
-		},
-		{
-			name: say("iterations-last-step"),
-			testid: "iterations",
-			value: `${String(result.iterations)}, ${significant(result.last_step)}`,
-			help: say("the-last-step-relative-to")
-		},
-		{
-			name: say("base-b-principal-distance"),
-			testid: "base",
-			value: say("mm-mm", {
-				base_mm: significant(result.base_mm),
-				focal_mm: significant(result.focal_mm)
-			}),
-			help: say("the-base-component-that-was")
-		},
-		...printed !== void 0 ? [{
-			name: say("paper-2"),
-			testid: "paper-sigma0",
-			value: say("paper-sigma", {
-				sigma0_mm: printed.sigma0_mm,
-				sigma0_px: printed.sigma0_mm / printed.pixel_mm
-			}),
-			help: say("what-the-paper-printed-for")
-		}] : []
-	]);
-}
-function pictures(state, result) {
-	const truth = truthFor(state, result);
-	const deviation = truth === null || Number.isNaN(truth.by_mm) ? null : [result.by_mm - truth.by_mm, result.bz_mm - truth.bz_mm];
-	const ellipse = result.base_ellipse_mm;
-	return h("div", { class: "precision-pictures" }, correlationPicture(result), ellipse === null ? null : ellipsePicture(ellipse, deviation));
-}
-// www/pair/panel/answer.ts
-function resting(state, waiting, actions) {
-	const { images } = state;
-	const line = (kind, text, next = null) => ({
-		kind,
-		text,
-		verdict: null,
-		next
-	});
-	if (state.catalogue === null) return line("busy", say("loading-the-program"));
-	if (images.left === null && images.right === null) return line("idle", say("ready-open-two-overlapping-images"));
-	const missing = SIDES.find((side) => images[side] === null);
-	if (missing !== void 0) return line("idle", say("one-image-is-open-open", { missing }), {
-		text: say("open-the-image", { missing }),
-		act: () => actions.open(missing)
-	});
-	return waiting ? line("busy", say("waiting")) : answered(state, actions);
-}
-function answered(state, actions) {
-	const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === "inspection" || stage === "line" ? 0 : result.milliseconds), 0);
-	const matched = milliseconds === 0 ? `${summary(state)}.` : say("worked", {
-		matched: summary(state),
-		seconds: milliseconds / 1e3
-	});
-	const reason = whyNotOriented(state);
-	const oriented = reason === null && isCurrent(state, "orientation") ? state.results.orientation?.value : void 0;
-	const verdict = oriented?.verdict;
-	const hint = hintFor(state, verdict);
-	const more = `${matched}${hint === null ? "" : ` ${message("pair_hint", hint)}`}`;
-	if (oriented === void 0 || verdict === void 0) {
-		const next = hint === null ? nextWithout(state, actions) : {
-			text: say("use-auto"),
-			act: actions.otherStrategy
-		};
-		if (reason === null) return {
-			kind: "partial",
-			verdict: "not_oriented",
-			text: more,
-			next
-		};
-		return {
-			kind: "partial",
-			verdict: "not_oriented",
-			text: reason,
-			more,
-			figures: figuresWithout(state),
-			next
-		};
-	}
-	const answer = {
-		text: message("pair_verdict", verdict),
-		more,
-		figures: figuresOf(state, oriented)
-	};
-	if (verdict.kind === "oriented") return {
-		...answer,
-		kind: "done",
-		verdict: "oriented",
-		next: calibrated(state, actions) ?? nextAfter(state, actions)
-	};
-	const next = cameraWanted(verdict) !== null ? cameraNext(state, actions) : {
-		text: say("show-why"),
-		act: actions.why
-	};
-	return {
-		...answer,
-		kind: "partial",
-		verdict: verdict.kind,
-		next
-	};
-}
-function hintFor(state, verdict) {
-	const none = whyNone(state);
-	const judged = verdict ?? (none === null ? null : {
-		kind: "not_oriented",
-		no_orientation: none
-	});
-	return state.settings === null || judged === null || isWithoutPoints(state) ? null : pair_hint(judged, state.settings);
-}
-function isWithoutPoints(state) {
-	const { left, right } = shownPair(state);
-	return left?.length === 0 || right?.length === 0;
-}
-function figuresOf(state, result) {
-	const { used } = countsOf$1(result);
-	const interior = interiorInUse(state)?.left;
-	const half = result.half_widths_95?.kappa_deg;
-	const digits = decimalsOfError(half, 2);
-	return [
-		{
-			value: count(used),
-			label: say("points-on-both-photos")
-		},
-		...interior === void 0 || result.sigma0_mm == null ? [] : [{
-			value: say("px-2", { value: result.sigma0_mm / pixelMm(interior) }),
-			label: say("precision")
-		}],
-		...half == null ? [] : [{
-			value: `${fixed(result.kappa_deg, digits)}° ± ${fixed(half, digits)}°`,
-			label: say("right-photo-turned")
-		}]
-	];
-}
-function figuresWithout(state) {
-	const { match, left } = shownPair(state);
-	if (match === null || left === null) return [];
-	return [{
-		value: count(match.counts.matches),
-		label: say("points-on-both-photos")
-	}, {
-		value: count(left.length / 3),
-		label: say("points-tried")
-	}];
-}
-function nextWithout(state, actions) {
-	const none = whyNone(state);
-	const why = {
-		text: say("show-why"),
-		act: actions.why
-	};
-	if (none === null) return why;
-	const { kind } = none;
-	if (kind === "no_geometry" || kind === "parts_of_one_image") return {
-		text: say("open-other-photos"),
-		act: () => actions.open(null)
-	};
-	if (kind === "one_photo") return {
-		text: say("replace-the-right-image"),
-		act: () => actions.open("right")
-	};
-	return cameraWanted({
-		kind: "not_oriented",
-		no_orientation: none
-	}) === null ? why : cameraNext(state, actions);
-}
-function calibrated(state, actions) {
-	return offeredCalibration(state) === null ? null : {
-		text: say("use-the-calibrated-camera"),
-		act: actions.calibrated
-	};
-}
-function cameraNext(state, actions) {
-	return calibrated(state, actions) ?? {
-		text: say("give-the-camera"),
-		act: actions.camera
-	};
-}
-function nextAfter({ images }, { open, save }) {
-	return SIDES.some((side) => images[side]?.source.kind === "grey") ? {
-		text: say("open-your-photos"),
-		act: () => open(null)
-	} : {
-		text: say("save-the-project"),
-		act: save
-	};
-}
-// www/pair/panel/status.ts
-var PATIENCE_MS$1 = 250;
-function mountStatus(store, actions) {
-	const show = answerCard(byId("answer"), byId("status"), byId("answer-actions"), "");
-	const bar = byId("progress");
-	const cancel = byId("cancel");
-	const run = byId("run");
-	cancel.addEventListener("click", actions.cancel);
-	run.addEventListener("click", actions.run);
-	let timer;
-	store.watch((s) => [s], ([state]) => {
-		const busy = isBusy(state);
-		const { wanted, done } = progress(state);
-		bar.max = Math.max(1, wanted);
-		bar.value = done;
-		cancel.disabled = !busy;
-		run.hidden = !(state.paused && (state.images.left !== null || state.images.right !== null)) && currentFailure(state)?.ended !== true;
-		show(answerOf(state, actions));
-		document.body.classList.toggle("is-pending", anyStale(state));
-		if (!busy) {
-			window.clearTimeout(timer);
-			timer = void 0;
-			bar.classList.remove("is-on");
-		} else timer ??= window.setTimeout(() => bar.classList.add("is-on"), PATIENCE_MS$1);
-	});
-}
-function isBusy(state) {
-	return Object.keys(state.running).length > 0 || state.notice?.kind === "busy";
-}
-function answerOf(state, actions) {
-	const notice = ofLine(state.notice);
-	if (notice?.choices !== void 0) return question(notice.text, notice.choices, isBusy(state));
-	if (notice?.kind !== "problem") return answerWith(state, notice, actions);
-	const answer = answerWith(state, null, actions);
-	return answer.kind === "idle" ? {
-		...answer,
-		kind: "problem",
-		text: notice.text,
-		more: ""
-	} : {
-		...answer,
-		problem: notice.text
-	};
-}
-function question(text, [next, ...others], busy) {
-	return {
-		kind: busy ? "busy" : "idle",
-		verdict: null,
-		text,
-		next: next ?? null,
-		others
-	};
-}
-function answerWith(state, notice, actions) {
-	const line = (kind, text) => ({
-		kind,
-		text,
-		verdict: null
-	});
-	const failure = currentFailure(state);
-	const { running, wanted, done } = progress(state);
-	if (running.length > 0) return line("busy", say("step", {
-		step: Math.min(done + 1, wanted),
-		steps: wanted,
-		stages: running.map((stage) => STAGES[stage].label).join("; ")
-	}));
-	if (notice?.kind === "busy") return line("busy", notice.text);
-	if (state.paused) {
-		const { openLeft, openRight } = state.results;
-		return {
-			...line("idle", say(openLeft === void 0 && openRight === void 0 ? "cancelled-the-images-stay" : "cancelled-results-on-the-screen")),
-			more: notice?.text ?? ""
-		};
-	}
-	if (failure !== null && !isOrientation(failure)) return line("problem", `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd());
-	const [refused] = Object.values(state.refused);
-	if (refused !== void 0) return line("problem", refusedText$1(refused));
-	const answer = resting(state, done < wanted, actions);
-	if (notice === null) return answer;
-	if (answer.verdict === null) return line("idle", notice.text);
-	return {
-		...answer,
-		more: `${answer.more ?? ""} ${notice.text}`.trimStart()
-	};
-}
-function isOrientation({ stage, ended }) {
-	return !ended && stage === "orientation";
-}
-function matchedAllTheSame(state, failed) {
-	const matches = summary(state);
-	return (failed === "interiorLeft" || failed === "interiorRight") && matches !== "" ? say("not-oriented-4", { matches }) : "";
 }
 // www/pair/panel/header.ts
 function pickerOf(files) {
@@ -11271,6 +10893,16 @@ function pickerOf(files) {
 		input.click();
 	};
 }
+var WANTED = [
+	"settings",
+	"camera",
+	"photos",
+	"masks",
+	"fiducialModel",
+	"offset",
+	"failures",
+	"history"
+];
 function mountHeader({ store, engine, view, files, pick, attempt, saving, sampleBlock }) {
 	const on = (id, action) => {
 		byId(id).addEventListener("click", () => void attempt(action));
@@ -11294,9 +10926,9 @@ function mountHeader({ store, engine, view, files, pick, attempt, saving, sample
 		"results",
 		"catalogue",
 		"notice",
-		"running"
+		"running",
+		...WANTED
 	], ([images, , catalogue]) => {
-		const both = images.left !== null && images.right !== null;
 		const none = images.left === null && images.right === null;
 		const set = (id, disabled) => {
 			byId(id).disabled = disabled;
@@ -11305,13 +10937,8 @@ function mountHeader({ store, engine, view, files, pick, attempt, saving, sample
 		set("sample", catalogue === null);
 		set("sample-first", catalogue === null);
 		set("sample-block-first", catalogue === null);
-		set("export-csv", !both || shownPair(store.state).match === null);
-		set("export-json", !both || store.state.results.pointsLeft === void 0);
-		set("export-project", !both || isBusy(store.state) || !isCurrent(store.state, "match"));
-		const absent = Object.values(images).some((image) => image?.source.kind === "project");
-		set("export-report", !both || absent || isBusy(store.state));
-		set("export-epipolar", !both || absent || isBusy(store.state) || shownPair(store.state).orientation === null);
-		set("export-png", none);
+		const now = savable(store.state);
+		for (const what of EXPORTS) set(`export-${what}`, !now[what]);
 		leaveWelcome(!none);
 	});
 }
@@ -11534,6 +11161,361 @@ function saveMasks(store) {
 		type: "notice",
 		notice: null
 	});
+}
+// pkg/pair/at-base.js
+function atBase(orientation, baseMm, otherMm) {
+	const scale = baseMm === 0 ? NaN : otherMm / baseMm;
+	return {
+		...orientation,
+		by_mm: scale * orientation.by_mm,
+		bz_mm: scale * orientation.bz_mm
+	};
+}
+// www/pair/panel/matrix.ts
+var CELL = 44;
+var HEAD = 26;
+var FOOT = 12;
+function correlationPicture({ correlations }) {
+	const size = HEAD + CELL * UNKNOWNS.length;
+	const words = UNKNOWNS.flatMap(({ symbol }, i) => UNKNOWNS.slice(i + 1).map((other, k) => say("and", {
+		symbol,
+		symbol_2: other.symbol,
+		correlations: correlations[i]?.[i + 1 + k]
+	})));
+	const heads = UNKNOWNS.flatMap(({ symbol }, i) => [svg("text", {
+		x: HEAD + CELL * (i + .5),
+		y: 18,
+		class: "matrix-name"
+	}, symbol), svg("text", {
+		x: HEAD / 2,
+		y: HEAD + CELL * (i + .5) + 4,
+		class: "matrix-name"
+	}, symbol)]);
+	const cells = UNKNOWNS.flatMap((_, i) => UNKNOWNS.map((__, j) => cellOf(correlations[i]?.[j] ?? NaN, i, j)));
+	return h("figure", { testid: "correlations" }, h("figcaption", { title: say("from-the-inverse-of-the") }, say("correlations-of-the-unknowns")), svg("svg", {
+		viewBox: `0 0 ${String(size)} ${String(size)}`,
+		class: "correlations",
+		role: "img",
+		"aria-label": say("correlations", { join: words.join(", ") })
+	}, ...heads, ...cells));
+}
+function cellOf(value, row, column) {
+	const side = 28 * Math.sqrt(Math.min(1, Math.abs(value)));
+	const x = HEAD + CELL * (column + .5);
+	const y = HEAD + CELL * (row + .5);
+	const middle = y - FOOT / 2;
+	return svg("g", { "data-testid": `correlation-${String(row)}-${String(column)}` }, svg("rect", {
+		x: x - CELL / 2,
+		y: y - CELL / 2,
+		width: CELL,
+		height: CELL,
+		class: "matrix-cell"
+	}), svg("rect", {
+		x: x - side / 2,
+		y: middle - side / 2,
+		width: side,
+		height: side,
+		class: value < 0 ? "negative" : "positive"
+	}), svg("text", {
+		x,
+		y: y + CELL / 2 - 3,
+		class: "matrix-value"
+	}, fixed(value, 2)));
+}
+var PLOT = 150;
+function ellipsePicture(ellipse, deviation) {
+	const { semi_major: major, semi_minor: minor, bearing_deg: angle } = ellipse;
+	const reach = Math.max(2 * major, ...(deviation ?? []).map((d) => 1.15 * Math.abs(d)));
+	const scale = PLOT / 2 / reach;
+	const words = say("standard-error-ellipse-of-by", {
+		major: significant(major),
+		minor: significant(minor),
+		angle
+	});
+	const truth = deviation === null ? [] : [svg("path", {
+		d: cross(-deviation[0] * scale, deviation[1] * scale),
+		class: "truth"
+	})];
+	return h("figure", { testid: "ellipse" }, h("figcaption", { title: words }, say("by-bz-ellipse-m-dashed", {
+		major: significant(1e3 * major),
+		minor: significant(1e3 * minor),
+		what: deviation === null ? "" : say("cross-truth")
+	})), svg("svg", {
+		viewBox: `${String(-75)} ${String(-75)} ${String(PLOT)} ${String(PLOT)}`,
+		class: "ellipse",
+		role: "img",
+		"aria-label": words
+	}, svg("path", {
+		d: `M${String(-75)} 0h${String(PLOT)}M0 ${String(-75)}v${String(PLOT)}`,
+		class: "axis"
+	}), svg("ellipse", {
+		rx: major * scale,
+		ry: minor * scale,
+		transform: `rotate(${String(-angle)})`,
+		class: "outline"
+	}), svg("ellipse", {
+		rx: 2 * major * scale,
+		ry: 2 * minor * scale,
+		transform: `rotate(${String(-angle)})`,
+		class: "outline faint"
+	}), ...truth, svg("text", {
+		x: 59,
+		y: -5,
+		class: "matrix-name"
+	}, "by"), svg("text", {
+		x: 12,
+		y: -63,
+		class: "matrix-name"
+	}, "bz")));
+}
+function cross(x, y) {
+	return `M${String(x - 5)} ${String(y - 5)}l10 10M${String(x + 5)} ${String(y - 5)}l-10 10`;
+}
+// www/pair/panel/orientation.ts
+var SIGMA_CAVEAT = say("is-computed-from-y-parallaxes");
+function mountOrientation(host, store) {
+	const body = h("div", {});
+	const panel = section(say("relative-orientation"), "orientation-section", body);
+	host.append(panel);
+	store.watch([
+		"results",
+		"settings",
+		"images",
+		"failures",
+		"camera",
+		"photos",
+		"offset",
+		"fiducialModel"
+	], whenInSight(host, () => {
+		const { state } = store;
+		panel.classList.toggle("is-stale", whyNotOriented(state) === null && isStale(state, "orientation"));
+		fill(body, ...content$1(state));
+	}));
+}
+function content$1(state) {
+	const reason = whyNotOriented(state);
+	if (reason !== null) return [h("p", {
+		class: "note",
+		testid: "orientation-reason"
+	}, reason)];
+	const result = state.results.orientation?.value;
+	if (result === void 0) return [h("p", {
+		class: "note",
+		testid: "orientation-reason"
+	}, say("not-computed-yet"))];
+	return [
+		...estimatedFocal(state),
+		valueTable(state, result),
+		...result.turn_deg === 0 ? [] : [h("p", {
+			class: "note",
+			testid: "axes-turned"
+		}, say("axes-turned"))],
+		...warnings(result),
+		precision(state, result),
+		h("p", {
+			class: "caveat",
+			testid: "sigma-caveat"
+		}, SIGMA_CAVEAT),
+		pictures(state, result)
+	];
+}
+function estimatedFocal(state) {
+	const text = estimatedFocalText(state);
+	return text === null ? [] : [h("p", {
+		class: "note",
+		testid: "estimated-focal"
+	}, text)];
+}
+function estimatedFocalText(state) {
+	const focal = focalOf(state);
+	return focal?.isEstimated === true ? say("estimated-focal", {
+		focal_px: focal.focalPx,
+		error_px: focal.errorPx
+	}) : null;
+}
+function whyNotOriented(state) {
+	if (state.images.left === null || state.images.right === null) return say("two-images-are-needed");
+	const reason = whyNone(state);
+	if (reason === null || reason.kind === "refused") {
+		const failure = failureOf(state);
+		return failure === null ? null : say("not-oriented-3", { message: failure.message });
+	}
+	switch (reason.kind) {
+		case "no_geometry": return say("not-oriented-do-both-photos", { message: message("no_geometry", reason.no_geometry) });
+		case "no_camera":
+		case "no_focal_length":
+		case "no_pixel_size": {
+			const untold = isCurrent(state, "match") && state.results.match?.value.geometry != null ? say("and-the-matches-do-not") : "";
+			return say("not-oriented-give-the-focal", {
+				message: message("no_orientation", reason),
+				untold
+			});
+		}
+		default: return say("not-oriented-2", { message: message("no_orientation", reason) });
+	}
+}
+function truthFor(state, { base_mm: base }) {
+	const truth = truthOf(state);
+	return truth === null ? null : atBase(truth.orientation, truth.baseMm, base);
+}
+function valueTable(state, result) {
+	const truth = truthFor(state, result);
+	const paper = truth === null && hasPaperCamera(state) ? state.catalogue?.paper : void 0;
+	const { standard_errors: errors, total_standard_errors: total, half_widths_95: half } = result;
+	const number = (testid, value, digits, kind = "") => h("td", {
+		testid,
+		class: `number ${kind}`
+	}, fixed(value, digits));
+	const rows = UNKNOWNS.map(({ field, symbol, unit, digits: printedDigits }) => {
+		const digits = decimalsOfError(errors?.[field], printedDigits);
+		const error = truth === null ? NaN : result[field] - truth[field];
+		const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
+		const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
+		const interval = number(`interval-${field}`, half?.[field], digits);
+		const printed = paper === void 0 ? [] : [number(`paper-${field}`, paper.orientations[2].values[field], printedDigits, "paper"), number(`paper-error-${field}`, paper.standard_errors[field], printedDigits, "paper")];
+		const compared = truth === null ? printed : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
+		return row(h("span", {}, h("i", {}, symbol), h("span", { class: "unit" }, ` ${unitText(unit)}`)), ...own, ...withInterior, interval, ...compared);
+	});
+	const heads = [
+		[say("value"), say("the-right-photo-relative-to")],
+		[say("std-error"), say("what-the-scatter-of-the")],
+		...total === null ? [] : [[say("in-total"), say("standard-error-including-what-does")]],
+		["95 % ±", say("half-width-of-the-interval")],
+		...paper !== void 0 ? [[
+			say("paper-2"),
+			say("the-papers-table-3-of"),
+			"paper"
+		], [
+			say("its-error"),
+			say("the-papers-table-2"),
+			"paper"
+		]] : [],
+		...truth === null ? [] : [[say("true-error"), say("value-minus-truth-by-and")], [say("in-std-errors"), say("the-true-error-divided-by")]]
+	];
+	const note = paper !== void 0 ? h("p", { class: "note" }, paperNote(state, paper)) : null;
+	return h("div", {}, scrolledByKeys(h("div", { class: "scroll" }, h("table", {
+		class: "tight",
+		aria: { label: say("relative-orientation") }
+	}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, say("unknown")), ...heads.map(([text, title, kind = ""]) => h("th", {
+		scope: "col",
+		title,
+		class: kind
+	}, text)))), h("tbody", {}, ...rows)))), note);
+}
+function paperNote({ catalogue }, { pixel_mm: pixel }) {
+	const flight = catalogue?.flights.find(({ name }) => name === "paper")?.flight;
+	return say("paper", {
+		focal_mm: flight?.focal_mm ?? null,
+		base_mm: flight?.base_mm ?? null,
+		pixel_um: 1e3 * pixel
+	});
+}
+function warnings({ warnings: found }) {
+	return found.map((warning) => h("p", {
+		class: "field-problem",
+		testid: `warning-${warning.kind}`
+	}, message("warning", warning)));
+}
+function precision(state, result) {
+	const interior = interiorInUse(state)?.left;
+	const pixel = interior === void 0 ? null : pixelMm(interior);
+	const sigma = result.sigma0_mm;
+	const { all, used } = countsOf$1(result);
+	const test = result.global_test;
+	const printed = hasPaperCamera(state) ? state.catalogue?.paper : void 0;
+	return facts([
+		{
+			name: say("of-a-photo-coordinate"),
+			testid: "sigma0",
+			value: sigma == null ? "–" : `${withUnit(fixed(1e3 * sigma, 2), "µm")}${pixel === null ? "" : say("px-6", { sigma: sigma / pixel })}`,
+			help: say("standard-error-of-one-photo", { sigma_caveat: SIGMA_CAVEAT })
+		},
+		{
+			name: say("of-a-y-parallax-2"),
+			testid: "sigma-parallax",
+			value: sigma == null || pixel === null ? "–" : say("px-3", { value: Math.SQRT2 * sigma / pixel }),
+			help: say("standard-error-of-the-y")
+		},
+		...test === null ? [] : [{
+			name: say("global-test-2"),
+			testid: "global-test",
+			value: `${fixed(test.statistic, 1)}: ${test.passed ? say("passed") : say("failed-3")}`,
+			...test.passed ? {} : { kind: "problem" },
+			help: say("global-test", {
+				lower: test.lower,
+				upper: test.upper
+			})
+		}],
+		{
+			name: say("degrees-of-freedom"),
+			testid: "degrees-of-freedom",
+			value: count(result.degrees_of_freedom),
+			help: say("matches-used-minus-the-five")
+		},
+		{
+			name: say("matches-used"),
+			testid: "matches-used",
+			value: say("of-7", {
+				used,
+				residuals_mm: all
+			}),
+			help: say("data-snooping-rejected-the-others")
+		},
+		{
+			name: say("condition"),
+			testid: "condition",
+			value: significant(result.condition),
+			help: say("largest-by-smallest-eigenvalue-of")
+		},
+		{
+			name: say("misfit-to-a-plane"),
+			testid: "plane-misfit",
+			value: result.plane_misfit === null ? "–" : `${significant(result.plane_misfit)} σ₀`,
+			help: say("how-far-the-matches-deviate")
+		},
+		{
+			name: say("parallax-beside-a-rotation"),
+			testid: "rotation-parallax",
+			value: pixel === null ? say("mm-2", { value: significant(result.parallax_beside_rotation_mm) }) : say("px-7", { value: significant(result.parallax_beside_rotation_mm / pixel) }),
+			help: say("median-parallax-that-the-best")
+		},
+		{
+			name: say("spread"),
+			testid: "spread",
+			value: `${fixed(result.spread, 3)} f`,
+			help: say("root-mean-square-distance-of-the")
+		},
+		{
+			name: say("iterations-last-step"),
+			testid: "iterations",
+			value: `${String(result.iterations)}, ${significant(result.last_step)}`,
+			help: say("the-last-step-relative-to")
+		},
+		{
+			name: say("base-b-principal-distance"),
+			testid: "base",
+			value: say("mm-mm", {
+				base_mm: significant(result.base_mm),
+				focal_mm: significant(result.focal_mm)
+			}),
+			help: say("the-base-component-that-was")
+		},
+		...printed !== void 0 ? [{
+			name: say("paper-2"),
+			testid: "paper-sigma0",
+			value: say("paper-sigma", {
+				sigma0_mm: printed.sigma0_mm,
+				sigma0_px: printed.sigma0_mm / printed.pixel_mm
+			}),
+			help: say("what-the-paper-printed-for")
+		}] : []
+	]);
+}
+function pictures(state, result) {
+	const truth = truthFor(state, result);
+	const deviation = truth === null || Number.isNaN(truth.by_mm) ? null : [result.by_mm - truth.by_mm, result.bz_mm - truth.bz_mm];
+	const ellipse = result.base_ellipse_mm;
+	return h("div", { class: "precision-pictures" }, correlationPicture(result), ellipse === null ? null : ellipsePicture(ellipse, deviation));
 }
 // www/pair/panel/panes.ts
 function mountPanes(view, store, actions) {
@@ -12396,6 +12378,274 @@ function selectedMatch(state, statistics) {
 	if (match === null || statistics === null || state.selection === null) return -1;
 	return statistics.lefts.indexOf(leftIndexOf(state, match.best, match.rules));
 }
+// pkg/pair/camera-wanted.js
+var GIVEN = [
+	"no_camera",
+	"no_focal_length",
+	"no_pixel_size",
+	"altered",
+	"unknown_camera",
+	"resized_or_cropped",
+	"cropped",
+	"other_pixels"
+];
+var OTHER = [
+	"focal_length",
+	"wide_angle",
+	"contradicted_focal",
+	"doubtful_focal"
+];
+function cameraWanted(verdict) {
+	if (verdict.kind === "oriented") return null;
+	const { kind } = verdict.kind === "weak" ? verdict.warning : verdict.no_orientation;
+	if (GIVEN.includes(kind)) return "given";
+	return OTHER.includes(kind) ? "other" : null;
+}
+// www/pair/panel/answer.ts
+function resting(state, waiting, actions) {
+	const { images } = state;
+	const line = (kind, text, next = null) => ({
+		kind,
+		text,
+		verdict: null,
+		next
+	});
+	if (state.catalogue === null) return line("busy", say("loading-the-program"));
+	if (images.left === null && images.right === null) return line("idle", say("ready-open-two-overlapping-images"));
+	const missing = SIDES.find((side) => images[side] === null);
+	if (missing !== void 0) return line("idle", say("one-image-is-open-open", { missing }), {
+		text: say("open-the-image", { missing }),
+		act: () => actions.open(missing)
+	});
+	return waiting ? line("busy", say("waiting")) : answered(state, actions);
+}
+function answered(state, actions) {
+	const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === "inspection" || stage === "line" ? 0 : result.milliseconds), 0);
+	const matched = milliseconds === 0 ? `${summary(state)}.` : say("worked", {
+		matched: summary(state),
+		seconds: milliseconds / 1e3
+	});
+	const reason = whyNotOriented(state);
+	const oriented = reason === null && isCurrent(state, "orientation") ? state.results.orientation?.value : void 0;
+	const verdict = oriented?.verdict;
+	const hint = hintFor(state, verdict);
+	const more = `${matched}${hint === null ? "" : ` ${message("pair_hint", hint)}`}`;
+	if (oriented === void 0 || verdict === void 0) {
+		const next = hint === null ? nextWithout(state, actions) : {
+			text: say("use-auto"),
+			act: actions.otherStrategy
+		};
+		if (reason === null) return {
+			kind: "partial",
+			verdict: "not_oriented",
+			text: more,
+			next
+		};
+		return {
+			kind: "partial",
+			verdict: "not_oriented",
+			text: reason,
+			more,
+			figures: figuresWithout(state),
+			next
+		};
+	}
+	const answer = {
+		text: message("pair_verdict", verdict),
+		more,
+		figures: figuresOf(state, oriented)
+	};
+	if (verdict.kind === "oriented") return {
+		...answer,
+		kind: "done",
+		verdict: "oriented",
+		next: calibrated(state, actions) ?? nextAfter(state, actions)
+	};
+	const next = cameraWanted(verdict) !== null ? cameraNext(state, actions) : {
+		text: say("show-why"),
+		act: actions.why
+	};
+	return {
+		...answer,
+		kind: "partial",
+		verdict: verdict.kind,
+		next
+	};
+}
+function hintFor(state, verdict) {
+	const none = whyNone(state);
+	const judged = verdict ?? (none === null ? null : {
+		kind: "not_oriented",
+		no_orientation: none
+	});
+	return state.settings === null || judged === null || isWithoutPoints(state) ? null : pair_hint(judged, state.settings);
+}
+function isWithoutPoints(state) {
+	const { left, right } = shownPair(state);
+	return left?.length === 0 || right?.length === 0;
+}
+function figuresOf(state, result) {
+	const { used } = countsOf$1(result);
+	const interior = interiorInUse(state)?.left;
+	const half = result.half_widths_95?.kappa_deg;
+	const digits = decimalsOfError(half, 2);
+	return [
+		{
+			value: count(used),
+			label: say("points-on-both-photos")
+		},
+		...interior === void 0 || result.sigma0_mm == null ? [] : [{
+			value: say("px-2", { value: result.sigma0_mm / pixelMm(interior) }),
+			label: say("precision")
+		}],
+		...half == null ? [] : [{
+			value: `${fixed(result.kappa_deg, digits)}° ± ${fixed(half, digits)}°`,
+			label: say("right-photo-turned")
+		}]
+	];
+}
+function figuresWithout(state) {
+	const { match, left } = shownPair(state);
+	if (match === null || left === null) return [];
+	return [{
+		value: count(match.counts.matches),
+		label: say("points-on-both-photos")
+	}, {
+		value: count(left.length / 3),
+		label: say("points-tried")
+	}];
+}
+function nextWithout(state, actions) {
+	const none = whyNone(state);
+	const why = {
+		text: say("show-why"),
+		act: actions.why
+	};
+	if (none === null) return why;
+	const { kind } = none;
+	if (kind === "no_geometry" || kind === "parts_of_one_image") return {
+		text: say("open-other-photos"),
+		act: () => actions.open(null)
+	};
+	if (kind === "one_photo") return {
+		text: say("replace-the-right-image"),
+		act: () => actions.open("right")
+	};
+	return cameraWanted({
+		kind: "not_oriented",
+		no_orientation: none
+	}) === null ? why : cameraNext(state, actions);
+}
+function calibrated(state, actions) {
+	return offeredCalibration(state) === null ? null : {
+		text: say("use-the-calibrated-camera"),
+		act: actions.calibrated
+	};
+}
+function cameraNext(state, actions) {
+	return calibrated(state, actions) ?? {
+		text: say("give-the-camera"),
+		act: actions.camera
+	};
+}
+function nextAfter({ images }, { open, save }) {
+	return SIDES.some((side) => images[side]?.source.kind === "grey") ? {
+		text: say("open-your-photos"),
+		act: () => open(null)
+	} : {
+		text: say("save-the-project"),
+		act: save
+	};
+}
+// www/pair/panel/status.ts
+var PATIENCE_MS$1 = 250;
+function mountStatus(store, actions) {
+	const show = answerCard(byId("answer"), byId("status"), byId("answer-actions"), "");
+	const bar = byId("progress");
+	const cancel = byId("cancel");
+	const run = byId("run");
+	cancel.addEventListener("click", actions.cancel);
+	run.addEventListener("click", actions.run);
+	let timer;
+	store.watch((s) => [s], ([state]) => {
+		const busy = isBusy(state);
+		const { wanted, done } = progress(state);
+		bar.max = Math.max(1, wanted);
+		bar.value = done;
+		cancel.disabled = !busy;
+		run.hidden = !(state.paused && (state.images.left !== null || state.images.right !== null)) && currentFailure(state)?.ended !== true;
+		show(answerOf(state, actions));
+		document.body.classList.toggle("is-pending", anyStale(state));
+		if (!busy) {
+			window.clearTimeout(timer);
+			timer = void 0;
+			bar.classList.remove("is-on");
+		} else timer ??= window.setTimeout(() => bar.classList.add("is-on"), PATIENCE_MS$1);
+	});
+}
+function answerOf(state, actions) {
+	const notice = ofLine(state.notice);
+	if (notice?.choices !== void 0) return question(notice.text, notice.choices, isBusy(state));
+	if (notice?.kind !== "problem") return answerWith(state, notice, actions);
+	const answer = answerWith(state, null, actions);
+	return answer.kind === "idle" ? {
+		...answer,
+		kind: "problem",
+		text: notice.text,
+		more: ""
+	} : {
+		...answer,
+		problem: notice.text
+	};
+}
+function question(text, [next, ...others], busy) {
+	return {
+		kind: busy ? "busy" : "idle",
+		verdict: null,
+		text,
+		next: next ?? null,
+		others
+	};
+}
+function answerWith(state, notice, actions) {
+	const line = (kind, text) => ({
+		kind,
+		text,
+		verdict: null
+	});
+	const failure = currentFailure(state);
+	const { running, wanted, done } = progress(state);
+	if (running.length > 0) return line("busy", say("step", {
+		step: Math.min(done + 1, wanted),
+		steps: wanted,
+		stages: running.map((stage) => STAGES[stage].label).join("; ")
+	}));
+	if (notice?.kind === "busy") return line("busy", notice.text);
+	if (state.paused) {
+		const { openLeft, openRight } = state.results;
+		return {
+			...line("idle", say(openLeft === void 0 && openRight === void 0 ? "cancelled-the-images-stay" : "cancelled-results-on-the-screen")),
+			more: notice?.text ?? ""
+		};
+	}
+	if (failure !== null && !isOrientation(failure)) return line("problem", `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd());
+	const [refused] = Object.values(state.refused);
+	if (refused !== void 0) return line("problem", refusedText$1(refused));
+	const answer = resting(state, done < wanted, actions);
+	if (notice === null) return answer;
+	if (answer.verdict === null) return line("idle", notice.text);
+	return {
+		...answer,
+		more: `${answer.more ?? ""} ${notice.text}`.trimStart()
+	};
+}
+function isOrientation({ stage, ended }) {
+	return !ended && stage === "orientation";
+}
+function matchedAllTheSame(state, failed) {
+	const matches = summary(state);
+	return (failed === "interiorLeft" || failed === "interiorRight") && matches !== "" ? say("not-oriented-4", { matches }) : "";
+}
 // www/pair/view/frames.ts
 var SCALES = 2;
 var LEAST_RADIUS = 6;
@@ -12820,7 +13070,7 @@ var Marking = class {
 		});
 		if (ends || images[side] === null) return;
 		const { fiducials } = photos[side];
-		const first = fiducials.findIndex((one) => !isMeasured(one));
+		const first = fiducials.findIndex((one) => !isMeasured$1(one));
 		this.goTo(side, first < 0 ? fiducials.length : first);
 		this.store.dispatch({
 			type: "activeSide",
@@ -12828,7 +13078,7 @@ var Marking = class {
 		});
 	}
 	place(side, at) {
-		this.put(side, at, isMeasured(markInHand(this.store.state) ?? UNMEASURED) ? "moved" : "measured");
+		this.put(side, at, isMeasured$1(markInHand(this.store.state) ?? UNMEASURED) ? "moved" : "measured");
 	}
 	nudge(dx, dy) {
 		const { mark, photos } = this.store.state;
@@ -12875,7 +13125,7 @@ var Marking = class {
 	clear() {
 		const { mark, photos } = this.store.state;
 		const cleared = markInHand(this.store.state);
-		if (mark === null || cleared === void 0 || !isMeasured(cleared)) return;
+		if (mark === null || cleared === void 0 || !isMeasured$1(cleared)) return;
 		const { fiducials } = photos[mark.side];
 		this.set(mark.side, fiducials.map((one) => one === cleared ? {
 			...one,
@@ -13405,7 +13655,11 @@ function withKeptEdits(stage, state) {
 }
 function withHistory(state, history) {
 	if (history.done === state.history.done && history.edits === state.history.edits) return state;
-	const before = isCurrent(state, "orientation") ? state.results.orientation?.value ?? null : state.before;
+	const { orientation } = state.results;
+	const before = isCurrent(state, "orientation") && orientation !== void 0 ? {
+		run: runKey(state),
+		orientation: orientation.value
+	} : state.before;
 	return {
 		...state,
 		history,
@@ -13640,7 +13894,7 @@ function mountInput(view, store, navigator, { editing, masking, marking, paint }
 	const look = declare({
 		where: say("pictures-of-a-pair"),
 		host,
-		list: pictureKeys(store, navigator, editing, masking)
+		list: pictureKeys(view, store, navigator, editing, masking)
 	});
 	const measuring = declare({
 		where: say("pictures-of-a-pair-while"),
@@ -13681,7 +13935,7 @@ function mountInput(view, store, navigator, { editing, masking, marking, paint }
 		},
 		pointed: (at) => view.point(at),
 		command: (key, shift) => measuring(key, shift) || masks(key, shift) || marks(key, shift) || look(key, shift)
-	}, host.closest(".stage") ?? host);
+	}, host.closest(".stage") ?? host, () => store.state.images.left !== null || store.state.images.right !== null);
 }
 function press(hit, more, editing, navigator) {
 	if (more) {
@@ -13879,14 +14133,15 @@ function measuringKeys(store, navigator, editing) {
 		}
 	];
 }
-function pictureKeys(store, navigator, editing, masking) {
+function pictureKeys(view, store, navigator, editing, masking) {
 	const show = (display) => store.dispatch({
 		type: "display",
 		display
 	});
-	const move = () => {
-		editing.move();
+	const measures = (begins) => () => {
+		begins();
 		navigator.followDraft();
+		if (store.state.tool === "measure") view.takeKeys();
 	};
 	const leave = () => {
 		if (!editing.leave()) navigator.select(null);
@@ -13948,7 +14203,7 @@ function pictureKeys(store, navigator, editing, masking) {
 		{
 			keys: ["a"],
 			does: say("adds-a-match-by-measuring"),
-			run: () => editing.toggle("measure")
+			run: measures(() => editing.toggle("measure"))
 		},
 		{
 			keys: ["w"],
@@ -13958,7 +14213,7 @@ function pictureKeys(store, navigator, editing, masking) {
 		{
 			keys: ["e"],
 			does: say("measures-the-selected-match-anew"),
-			run: move
+			run: measures(() => editing.move())
 		},
 		{
 			keys: ["Escape"],
@@ -14556,6 +14811,9 @@ var View = class {
 	scene() {
 		return sceneOf(this.store.state, this.layers.width, this.layers.height);
 	}
+	takeKeys() {
+		this.host.focus({ preventScroll: true });
+	}
 	point(at) {
 		this.pointer = at;
 		if (this.store.state.display.magnifier) this.layers.redraw("overlay");
@@ -14712,7 +14970,13 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 	});
 	mountToolbar(byId("toolbar"), store, navigator);
 	mountEditTools(byId("view-more"), byId("toolbar"), store, editing);
-	mountDraft(byId("toolbar"), store, editing, () => navigator.followDraft());
+	const measured = () => {
+		if (store.state.tool !== "measure") return;
+		uncoverPictures();
+		navigator.followDraft();
+		view.takeKeys();
+	};
+	mountDraft(byId("toolbar"), store, editing, () => navigator.followDraft(), measured);
 	mountMasking(byId("view-more"), byId("toolbar"), store, masking, paint);
 	mountMarking(byId("toolbar"), store, marking);
 	await breath();
@@ -14746,8 +15010,8 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 		side,
 		index
 	}));
-	mountEdits(matches, store, editing, () => navigator.followDraft());
-	mountEditKeys(matches, store, editing);
+	mountEdits(matches, store, editing, measured);
+	mountEditKeys(matches, store, editing, measured);
 	mountStatistics(matches, store, editing, (side, index) => navigator.select({
 		side,
 		index
@@ -15743,19 +16007,6 @@ function nameVersion(press, version) {
 		});
 	});
 }
-// www/shared/panel/reach.ts
-function reachable(element) {
-	if (element.closest("[hidden]:not([role=\"tabpanel\"])") !== null) return false;
-	return element.closest("main")?.checkVisibility() !== false;
-}
-function reveal(element) {
-	const side = element.closest(".side");
-	if (side !== null) setDrawer(side.classList.contains("of-settings") ? "settings" : "details", true);
-	if (element.closest(".dock") !== null) setDrawer("table", true);
-	const tab = element.closest("[role=\"tabpanel\"][hidden]")?.getAttribute("aria-labelledby");
-	if (tab != null) showTab(tab);
-	for (let fold = element.closest("details"); fold !== null; fold = fold.parentElement?.closest("details") ?? null) fold.open = true;
-}
 // www/shared/panel/actions.ts
 function mountActions(press) {
 	const keys = new KeyList();
@@ -16434,4 +16685,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

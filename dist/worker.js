@@ -9,7 +9,7 @@
 		}
 		free() {
 			const ptr = this.__destroy_into_raw();
-			wasm.__wbg_blockonorthophoto_free(ptr, 0);
+			if (ptr !== 0) wasm.__wbg_blockonorthophoto_free(ptr, 0);
 		}
 		linked(block, reference) {
 			_assertClass(block, FinishedBlock);
@@ -42,7 +42,7 @@
 		}
 		free() {
 			const ptr = this.__destroy_into_raw();
-			wasm.__wbg_blockscene_free(ptr, 0);
+			if (ptr !== 0) wasm.__wbg_blockscene_free(ptr, 0);
 		}
 		constructor(flight) {
 			const ret = wasm.blockscene_new(flight);
@@ -96,7 +96,7 @@
 		}
 		free() {
 			const ptr = this.__destroy_into_raw();
-			wasm.__wbg_blockwriting_free(ptr, 0);
+			if (ptr !== 0) wasm.__wbg_blockwriting_free(ptr, 0);
 		}
 		step(emit) {
 			const ret = wasm.blockwriting_step(this.__wbg_ptr, emit);
@@ -120,7 +120,7 @@
 		}
 		free() {
 			const ptr = this.__destroy_into_raw();
-			wasm.__wbg_epipolarpair_free(ptr, 0);
+			if (ptr !== 0) wasm.__wbg_epipolarpair_free(ptr, 0);
 		}
 		get contents() {
 			return wasm.epipolarpair_contents(this.__wbg_ptr);
@@ -171,10 +171,10 @@
 		}
 		free() {
 			const ptr = this.__destroy_into_raw();
-			wasm.__wbg_finishedblock_free(ptr, 0);
+			if (ptr !== 0) wasm.__wbg_finishedblock_free(ptr, 0);
 		}
 		accuracy(cell, sigma_px) {
-			const ret = wasm.finishedblock_accuracy(this.__wbg_ptr, !isLikeNone(cell), isLikeNone(cell) ? 0 : cell, !isLikeNone(sigma_px), isLikeNone(sigma_px) ? 0 : sigma_px);
+			const ret = wasm.finishedblock_accuracy(this.__wbg_ptr, isLikeNone(cell) ? 0 : addToExternrefTable0(cell), isLikeNone(sigma_px) ? 0 : addToExternrefTable0(sigma_px));
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
@@ -307,7 +307,7 @@
 		}
 		free() {
 			const ptr = this.__destroy_into_raw();
-			wasm.__wbg_orthomosaic_free(ptr, 0);
+			if (ptr !== 0) wasm.__wbg_orthomosaic_free(ptr, 0);
 		}
 		add(index, file) {
 			const ret = wasm.orthomosaic_add(this.__wbg_ptr, index, file);
@@ -346,7 +346,7 @@
 			return v1;
 		}
 		static open(project, heights, heights_sidecars, gsd, in_adjustment) {
-			const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, !isLikeNone(gsd), isLikeNone(gsd) ? 0 : gsd, isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
+			const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, isLikeNone(gsd) ? 0 : addToExternrefTable0(gsd), isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return OrthoMosaic.__wrap(ret[0]);
 		}
@@ -382,7 +382,7 @@
 		}
 		free() {
 			const ptr = this.__destroy_into_raw();
-			wasm.__wbg_orthophotoreference_free(ptr, 0);
+			if (ptr !== 0) wasm.__wbg_orthophotoreference_free(ptr, 0);
 		}
 		adjust(name, file, given) {
 			const ret = wasm.orthophotoreference_adjust(this.__wbg_ptr, name, file, given);
@@ -442,8 +442,8 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 			return v1;
 		}
-		place(name, file, cameras, film) {
-			const ret = wasm.orthophotoreference_place(this.__wbg_ptr, name, file, isLikeNone(cameras) ? 0 : addToExternrefTable0(cameras), film);
+		place(name, file, cameras, film, position) {
+			const ret = wasm.orthophotoreference_place(this.__wbg_ptr, name, file, isLikeNone(cameras) ? 0 : addToExternrefTable0(cameras), film, position);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
@@ -480,7 +480,7 @@
 		}
 		free() {
 			const ptr = this.__destroy_into_raw();
-			wasm.__wbg_photo_free(ptr, 0);
+			if (ptr !== 0) wasm.__wbg_photo_free(ptr, 0);
 		}
 		static decode(bytes) {
 			const ret = wasm.photo_decode(bytes);
@@ -550,7 +550,7 @@
 		}
 		free() {
 			const ptr = this.__destroy_into_raw();
-			wasm.__wbg_report_free(ptr, 0);
+			if (ptr !== 0) wasm.__wbg_report_free(ptr, 0);
 		}
 		html() {
 			let deferred2_0;
@@ -571,10 +571,10 @@
 				wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 			}
 		}
-		constructor(left, right, names, input, settings, truth, left_mask, right_mask) {
+		constructor(left, right, names, input, settings, truth, left_mask, right_mask, edits) {
 			_assertClass(left, Photo);
 			_assertClass(right, Photo);
-			const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, isLikeNone(left_mask) ? 0 : addToExternrefTable0(left_mask), isLikeNone(right_mask) ? 0 : addToExternrefTable0(right_mask));
+			const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, isLikeNone(left_mask) ? 0 : addToExternrefTable0(left_mask), isLikeNone(right_mask) ? 0 : addToExternrefTable0(right_mask), edits);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			this.__wbg_ptr = ret[0];
 			ReportFinalization.register(this, this.__wbg_ptr, this);
@@ -599,7 +599,7 @@
 		}
 		free() {
 			const ptr = this.__destroy_into_raw();
-			wasm.__wbg_run_free(ptr, 0);
+			if (ptr !== 0) wasm.__wbg_run_free(ptr, 0);
 		}
 		complete(id, bytes) {
 			const ret = wasm.run_complete(this.__wbg_ptr, id, bytes);
@@ -1574,13 +1574,13 @@
 		if (now.searched !== JSON.stringify(input.options)) await orthoSearch(input);
 		return now.reference;
 	}
-	async function orthoPlace({ ground, options, name, file, cameras, film }) {
+	async function orthoPlace({ ground, options, name, file, cameras, film, position }) {
 		const reference = await orthoReference({
 			ground,
 			options
 		});
 		const bytes = await bytesOf$1(file);
-		const placed = reference.place(name, bytes, cameras, film && readFilm(film));
+		const placed = reference.place(name, bytes, cameras, film && readFilm(film), position);
 		return inColumns(placed, sizeOf(placed, bytes));
 	}
 	function sizeOf({ placement }, file) {
@@ -1593,14 +1593,15 @@
 		photo.free();
 		return size;
 	}
-	async function orthoAdjust({ ground, options, name, file, cameras, film, links, start, size }) {
+	async function orthoAdjust({ ground, options, name, file, cameras, film, position, links, start, size }) {
 		const { reference } = await opened$2(ground);
 		const given = {
 			links,
 			placement: start,
 			cameras,
 			options,
-			film: film && readFilm(film)
+			film: film && readFilm(film),
+			position
 		};
 		return inColumns(reference.adjust(name, await bytesOf$1(file), given), size);
 	}
@@ -4422,12 +4423,12 @@
 		if (report === null) throw new Error("no report is begun in this worker");
 		return report;
 	}
-	async function reportOpen({ images, names, input, settings, truth, masks: [ofLeft, ofRight] }) {
+	async function reportOpen({ images, names, input, settings, truth, masks: [ofLeft, ofRight], edits }) {
 		report?.free();
 		report = null;
 		const left = await decode(images[0]);
 		const right = await decode(images[1]);
-		report = new Report(left, right, names, input, settings, truth, ofLeft, ofRight);
+		report = new Report(left, right, names, input, settings, truth, ofLeft, ofRight, edits);
 		left.free();
 		right.free();
 		return report.steps();

@@ -106,6 +106,8 @@ export interface ByLinks {
     options?: Given<PlacingOptions> | null;
     /** Of a scan of film that was not placed, as of `place`. */
     film?: Given<FilmInput> | null;
+    /** As of `place`. */
+    position?: GivenPosition | null;
 }
 
 /** A place of the ground that becomes a ground control point of a block. */
@@ -203,9 +205,12 @@ export interface VerifiedMatches extends DescriptorMatches {
 /** Options of which any may be absent: these take their defaults. */
 export type Given<T> = T extends unknown[] ? T : T extends object ? { [K in keyof T]?: Given<T[K]> } : T;
 
-/** One option: `key` is its place in the settings, as "points.threshold". */
+/** One option, or a value of a call. */
 export type Parameter = {
+    /** What messages call it, as "multiscale.number". */
     key: string;
+    /** Where it stands in the object of options, as "features.multiscale.number" of a block; of a value of a call the name of the argument. */
+    path: string;
     /** The heading under which it stands. */
     section: string;
     label: string;
@@ -294,6 +299,18 @@ export interface Messages {
 
 /** The known answer of a simulated pair, as `simulate` gives it. */
 export interface ReportTruth { orientation: FiveParameters; base_mm: number; right_position: Float32Array }
+
+/** The matches of a run after edits by hand, in place of those that it finds. */
+export interface ReportEdits {
+    /** Those that take part, as a `MatchResult` has them. */
+    match: Pick<MatchResult, "matches" | "fits" | "indices">;
+    /** Left positions in px of the points that were measured by hand beside those that the operator finds; stride 2. */
+    added_px: Float64Array;
+    /** How many matches were rejected by hand. */
+    rejected: number;
+    /** How many matches have a place that was measured by hand. */
+    measured: number;
+}
 
 
 
@@ -853,9 +870,9 @@ export interface ModelSummary {
      */
     components: ComponentSummary[];
     /**
-     * Systematic errors of GNSS positions that were to be estimated.
+     * Systematic errors of GNSS positions that were to be estimated; absent where none was.
      */
-    systematic: SystematicSummary[];
+    systematic?: SystematicSummary[];
     /**
      * Absent without check points.
      */
@@ -1329,9 +1346,9 @@ export interface SystematicSummary extends SystematicStatistics {
      */
     name: string;
     /**
-     * The images of its strip, from the first to the last; empty where it is that of no strip.
+     * The images of its strip, from the first to the last; absent where it is that of no strip.
      */
-    images: string[];
+    images?: string[];
 }
 
 /**
@@ -1939,7 +1956,7 @@ export type PlaceSearch = { kind: "gnss"; within_m: number; plan_m?: number } | 
 /**
  * How an orthophoto may have come to lie elsewhere than the images that are to be placed on it.
  */
-export type OrthophotoSlip = { kind: "zone"; zone: number } | { kind: "exchanged" } | { kind: "other_half" } | { kind: "unit"; given_in: string } | { kind: "coordinate"; likely: string } | { kind: "unknown" };
+export type PlaceSlip = { kind: "zone"; zone: number } | { kind: "exchanged" } | { kind: "other_half" } | { kind: "unit"; given_in: string } | { kind: "coordinate"; likely: string } | { kind: "unknown" };
 
 /**
  * How far a stage is.
@@ -2520,7 +2537,7 @@ export interface OrientationOptions {
      */
     seed: number;
     /**
-     * The length b of the base at photo scale, by which by and bz grow in proportion.
+     * The length b of the base at photo scale, not 0, by which by and bz grow in proportion.
      */
     base_mm: number | null;
 }
@@ -4206,7 +4223,7 @@ export interface RefinementCounts {
     /**
      * Those that keep their positions, by the reason.
      */
-    kept: Record<RefinementOutcome, number>;
+    kept: Record<Exclude<RefinementOutcome, "reference" | "refined">, number>;
 }
 
 /**
@@ -4553,7 +4570,7 @@ export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | {
 /**
  * What is weak about a model.
  */
-export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "looking_up"; observed: Observed; tilt_deg: number } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "positions_apart"; axis: Axis; difference_m: number; times: number } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; certain?: boolean; mistake: Mistake | null } | { kind: "control_untested"; point: string; measurements: number } | { kind: "control_unplaced"; point: string; measurements: number } | { kind: "control_contradicts"; refused: number; points: number; w?: number | null } | { kind: "control_tests_stopped"; left_out: number; points: number } | { kind: "control_unadjusted"; names: string[] } | { kind: "control_lost"; lost: number; points: number; from_bottom: boolean } | { kind: "control_without_place"; given: number; measured: number; taken: number } | { kind: "control_shape"; names: string[]; ratio: number; longest: string; shortest: string; point: string | null } | { kind: "few_control"; points: number; positions?: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number; check?: boolean } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[]; check?: boolean } | { kind: "checks_apart"; axis: Axis; points: number; difference_m: number; error_m: number } | { kind: "control_elsewhere"; points: number; images: string[]; check: boolean } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "focal_of_ground"; camera: NamedCamera; images_px: number; images_error_px: number; ground_px: number; ground_error_px: number } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
+export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "looking_up"; observed: Observed; tilt_deg: number } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "positions_apart"; axis: Axis; difference_m: number; times: number; focal?: boolean } | { kind: "positions_elsewhere"; images: number; distance_km: number; place_slip: PlaceSlip | null } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; certain?: boolean; mistake: Mistake | null } | { kind: "control_untested"; point: string; measurements: number } | { kind: "control_unplaced"; point: string; measurements: number } | { kind: "control_contradicts"; refused: number; points: number; w?: number | null } | { kind: "control_tests_stopped"; left_out: number; points: number } | { kind: "control_unadjusted"; names: string[] } | { kind: "control_lost"; lost: number; points: number; from_bottom: boolean; control_apart?: ControlApart | null } | { kind: "control_without_place"; given: number; measured: number; taken: number } | { kind: "control_shape"; names: string[]; ratio: number; longest: string; shortest: string; point: string | null } | { kind: "few_control"; points: number; positions?: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number; check?: boolean } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[]; check?: boolean } | { kind: "checks_apart"; axis: Axis; points: number; difference_m: number; error_m: number } | { kind: "control_elsewhere"; points: number; images: string[]; check: boolean } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "focal_of_ground"; camera: NamedCamera; images_px: number; images_error_px: number; ground_px: number; ground_error_px: number } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
 
 /**
  * What makes an orientation weak although it could be computed.
@@ -4800,7 +4817,7 @@ export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number;
 /**
  * What the run reports of its input beside the images that it skips.
  */
-export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unknown_position_columns"; columns: string[] } | { kind: "doubled_position_columns"; columns: string[] } | { kind: "positions_of_other_images"; images: string[]; all: boolean } | { kind: "unmeasured_points"; points: string[] } | { kind: "unknown_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_elsewhere"; images: number; within_m: number; distance_km: number; crs: string; orthophoto_slip: OrthophotoSlip } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "orthophoto_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "mosaic_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unknown_position_columns"; columns: string[] } | { kind: "doubled_position_columns"; columns: string[] } | { kind: "positions_of_other_images"; images: string[]; all: boolean } | { kind: "points_without_coordinates"; points: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unknown_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_elsewhere"; images: number; within_m: number; distance_km: number; crs: string; place_slip: PlaceSlip } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "orthophoto_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "mosaic_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
 
 /**
  * What two points are compared by.
@@ -4844,6 +4861,11 @@ export interface SeenIn {
  * Where the focal length in px of a file's camera comes from, the most certain first.
  */
 export type CameraOrigin = "xmp_calibration" | "xmp_dewarped" | "xmp_design" | "exif_focal_plane" | "exif35_mm" | "sensor_table" | "focal_length_alone" | "panorama";
+
+/**
+ * Where the image measurements of GCPs meet: so far from their coordinates in plan, and so far above them, in m, in the median of their coordinates.
+ */
+export type ControlApart = { kind: "heights"; up_m: number } | { kind: "places"; across_m: number; up_m: number };
 
 /**
  * Whether an observation takes part in the adjustment, or why not.
@@ -4923,7 +4945,7 @@ export type Failure = { kind: "unreadable"; message: string } | { kind: "refused
 /**
  * Why a pair has no orientation.
  */
-export type NoOrientation = { kind: "no_camera"; side: Side } | { kind: "no_focal_length" } | { kind: "no_pixel_size"; side: Side } | { kind: "altered"; side: Side; camera_caution: CameraCaution } | { kind: "panorama"; side: Side } | { kind: "no_geometry"; no_geometry: NoGeometry } | { kind: "pure_rotation" } | { kind: "one_photo" } | { kind: "parts_of_one_image" } | { kind: "refused"; error: { kind: string } };
+export type NoOrientation = { kind: "no_camera"; side: Side } | { kind: "no_focal_length" } | { kind: "no_pixel_size"; side: Side } | { kind: "altered"; side: Side; camera_caution: CameraCaution } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "panorama"; side: Side } | { kind: "no_geometry"; no_geometry: NoGeometry } | { kind: "pure_rotation" } | { kind: "one_photo" } | { kind: "parts_of_one_image" } | { kind: "refused"; error: { kind: string } };
 
 /**
  * Why a pair was chosen.
@@ -5267,9 +5289,9 @@ export class OrthophotoReference {
      * Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
      * of its EXIF and XMP, or a usual one. Where it records a GNSS position and the system of the orthophoto is known, it is sought there first, within
      * `within_m`, then on all of the orthophoto. `film`: of the scan of a photo on film, its calibrated camera and the fiducial marks that were measured in it,
-     * in place of what is known otherwise.
+     * in place of what is known otherwise. `position`: its GNSS position in a table (`positions_of_images`), in place of that which its file records.
      */
-    place(name: string, file: Uint8Array | Uint8ClampedArray | ArrayBuffer, cameras: string | null | undefined, film?: Given<FilmInput> | null): PlacedImage;
+    place(name: string, file: Uint8Array | Uint8ClampedArray | ArrayBuffer, cameras: string | null | undefined, film?: Given<FilmInput> | null, position?: GivenPosition | null): PlacedImage;
     /**
      * A placed image resampled to the ground, in its colours, as GeoTIFF.
      */
@@ -5351,9 +5373,9 @@ export class Report {
     html(): string;
     /**
      * Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
-     * and row by row, are left out.
+     * and row by row, are left out. With edits the run is that of the edited matches; the other strategies match by themselves.
      */
-    constructor(left: Photo, right: Photo, names: [string, string], input: Given<PairInput>, settings: Given<PairSettings>, truth: ReportTruth | null, left_mask?: Uint8Array | Uint8ClampedArray | ArrayBuffer | null, right_mask?: Uint8Array | Uint8ClampedArray | ArrayBuffer | null);
+    constructor(left: Photo, right: Photo, names: [string, string], input: Given<PairInput>, settings: Given<PairSettings>, truth: ReportTruth | null, left_mask: Uint8Array | Uint8ClampedArray | ArrayBuffer | null | undefined, right_mask: Uint8Array | Uint8ClampedArray | ArrayBuffer | null | undefined, edits?: ReportEdits | null);
     /**
      * Does the next step; false when all were done.
      */
@@ -5479,7 +5501,7 @@ export function check_cameras(text: string, names: readonly string[]): void;
  * Refuses ground control points and image measurements that a run of these images would refuse, as far as their names say. `on_orthophoto`:
  * whether one places the block afterwards.
  */
-export function check_control(points: string, marks: string, names: readonly string[], placing: GeoreferencingOptions, on_orthophoto?: boolean | null): void;
+export function check_control(points: string, marks: string, names: readonly string[], placing?: Given<GeoreferencingOptions>, on_orthophoto?: boolean): void;
 
 /**
  * Refuses a flight that [`simulate`] refuses, without rendering it; parameters that are absent are those of the sample.
@@ -5489,7 +5511,7 @@ export function check_flight(flight: Given<Flight>): void;
 /**
  * Refuses the file of a geoid beside its height, and one without a coordinate system whose heights count from it.
  */
-export function check_geoid(name: string, placing: GeoreferencingOptions): void;
+export function check_geoid(name: string, placing?: Given<GeoreferencingOptions>): void;
 
 /**
  * Refuses what is no height of the ground, nor a file of heights.
@@ -5856,7 +5878,7 @@ export function points_csv(points: Float64Array | readonly number[]): string;
  * The GNSS position that a table gives to each image, by their names; null where it gives none. Refuses a table that a run of these images would refuse.
  * Heights in a coordinate reference system whose geoid is a file count from its zero here.
  */
-export function positions_of_images(text: string, names: readonly string[], placing: GeoreferencingOptions): (GivenPosition | null)[];
+export function positions_of_images(text: string, names: readonly string[], placing?: Given<GeoreferencingOptions>): (GivenPosition | null)[];
 
 /**
  * What a project file holds, by its first kilobyte; null for what is no project.
@@ -5873,6 +5895,11 @@ export function read_exif(file: Uint8Array | Uint8ClampedArray | ArrayBuffer, wi
  * null for all others. 64 bytes tell every kind but raw files that are TIFFs.
  */
 export function refused_kind(name: string, start: Uint8Array | Uint8ClampedArray | ArrayBuffer): { kind: string } | null;
+
+/**
+ * What is to be said of a table of GNSS positions beside images of these names: columns that are not understood, rows of other images.
+ */
+export function remarks_of_positions(text: string, names: readonly string[]): Remark[];
 
 /**
  * Settings with every absent option that follows from the others, as all calls take them; what follows from the images stays absent.
@@ -5963,33 +5990,33 @@ export interface InitOutput {
     readonly block_settings: (a: any) => [number, number, number];
     readonly blockonorthophoto_linked: (a: number, b: number, c: number) => [number, number, number];
     readonly blockonorthophoto_new: () => number;
-    readonly blockonorthophoto_place: (a: number, b: number, c: number, d: any, e: number) => [number, number, number];
+    readonly blockonorthophoto_place: (a: number, b: number, c: any, d: any, e: number) => [number, number, number];
     readonly blockscene_new: (a: any) => [number, number, number];
-    readonly blockscene_orthophoto: (a: number, b: number) => [number, number, number];
-    readonly blockscene_photo: (a: number, b: number) => [number, number, number];
-    readonly blockscene_photo_file: (a: number, b: number) => [number, number, number, number];
+    readonly blockscene_orthophoto: (a: number, b: any) => [number, number, number];
+    readonly blockscene_photo: (a: number, b: any) => [number, number, number];
+    readonly blockscene_photo_file: (a: number, b: any) => [number, number, number, number];
     readonly blockscene_photos: (a: number) => number;
-    readonly blockscene_surface_at: (a: number, b: number, c: any) => [number, number, number];
+    readonly blockscene_surface_at: (a: number, b: any, c: any) => [number, number, number];
     readonly blockscene_truth: (a: number) => any;
     readonly blockwriting_step: (a: number, b: any) => [number, number, number];
     readonly call_parameters: () => any;
-    readonly camera_label: (a: any, b: number, c: number) => [number, number, number, number];
+    readonly camera_label: (a: any, b: any, c: any) => [number, number, number, number];
     readonly camera_of_exif: (a: any) => [number, number, number];
-    readonly camera_of_focal_px: (a: number) => [number, number, number];
-    readonly candidates: (a: number, b: any, c: any, d: any, e: any, f: any, g: any) => [number, number, number, number];
+    readonly camera_of_focal_px: (a: any) => [number, number, number];
+    readonly candidates: (a: any, b: any, c: any, d: any, e: any, f: any, g: any) => [number, number, number, number];
     readonly check_block_truth: (a: any, b: any) => [number, number];
     readonly check_cameras: (a: any, b: any) => [number, number];
     readonly check_control: (a: any, b: any, c: any, d: any, e: number) => [number, number];
     readonly check_flight: (a: any) => [number, number];
     readonly check_geoid: (a: any, b: any) => [number, number];
     readonly check_heights: (a: any, b: any) => [number, number];
-    readonly connected_groups: (a: number, b: any) => [number, number, number];
-    readonly constant_offset: (a: number, b: number) => [number, number, number];
+    readonly connected_groups: (a: any, b: any) => [number, number, number];
+    readonly constant_offset: (a: any, b: any) => [number, number, number];
     readonly defaults: () => any;
     readonly draw_match_lines: (a: any, b: any, c: any, d: any, e: any, f: any, g: any, h: number) => [number, number, number];
     readonly draw_points: (a: any, b: any, c: any, d: any, e: any, f: any) => [number, number, number];
     readonly draw_vectors: (a: any, b: any, c: any, d: any, e: any, f: number, g: any) => [number, number, number];
-    readonly epipolar_line: (a: any, b: number, c: number, d: any, e: any, f: number, g: number) => [number, number, number, number];
+    readonly epipolar_line: (a: any, b: any, c: any, d: any, e: any, f: any, g: any) => [number, number, number, number];
     readonly epipolarpair_contents: (a: number) => any;
     readonly epipolarpair_geometry: (a: number) => any;
     readonly epipolarpair_is_swapped: (a: number) => number;
@@ -6007,22 +6034,22 @@ export interface InitOutput {
     readonly film_pattern: (a: any, b: any) => [number, number, number, number];
     readonly film_pixel_mm: (a: any) => [number, number, number];
     readonly film_positions: (a: any, b: any, c: any) => [number, number, number];
-    readonly finishedblock_accuracy: (a: number, b: number, c: number, d: number, e: number) => [number, number, number];
+    readonly finishedblock_accuracy: (a: number, b: number, c: number) => [number, number, number];
     readonly finishedblock_carried_edits: (a: number, b: number) => [number, number, number];
     readonly finishedblock_covariances: (a: number, b: any) => [number, number, number, number];
     readonly finishedblock_edited: (a: number, b: any) => [number, number, number];
     readonly finishedblock_edits: (a: number) => any;
-    readonly finishedblock_epipolar_line: (a: number, b: number, c: number, d: number, e: number) => [number, number, number, number];
+    readonly finishedblock_epipolar_line: (a: number, b: any, c: any, d: any, e: any) => [number, number, number, number];
     readonly finishedblock_export: (a: number, b: any, c: any) => [number, number];
     readonly finishedblock_files: (a: number, b: any, c: any) => [number, number, number];
-    readonly finishedblock_image_points: (a: number, b: number) => [number, number, number];
+    readonly finishedblock_image_points: (a: number, b: any) => [number, number, number];
     readonly finishedblock_model: (a: number) => any;
     readonly finishedblock_on_orthophoto: (a: number) => any;
     readonly finishedblock_open: (a: any) => [number, number, number];
     readonly finishedblock_overview: (a: number) => [number, number, number];
     readonly finishedblock_places: (a: number) => [number, number, number];
     readonly finishedblock_places_again: (a: number, b: any) => [number, number, number];
-    readonly finishedblock_point: (a: number, b: number) => [number, number, number];
+    readonly finishedblock_point: (a: number, b: any) => [number, number, number];
     readonly finishedblock_point_ids: (a: number) => any;
     readonly finishedblock_project: (a: number) => [number, number, number, number];
     readonly finishedblock_score: (a: number, b: any) => [number, number, number];
@@ -6030,8 +6057,8 @@ export interface InitOutput {
     readonly flight_preset: (a: any) => [number, number, number];
     readonly flight_presets: () => any;
     readonly geographic_positions: (a: any) => [number, number, number];
-    readonly gradient_candidates: (a: number, b: any, c: any, d: number) => [number, number, number, number];
-    readonly grey_png: (a: number, b: number, c: any, d: any) => [number, number, number, number];
+    readonly gradient_candidates: (a: any, b: any, c: any, d: any) => [number, number, number, number];
+    readonly grey_png: (a: any, b: any, c: any, d: any) => [number, number, number, number];
     readonly image_measurement_table: (a: any) => [number, number, number, number];
     readonly image_position: (a: any) => [number, number, number];
     readonly interior: (a: any, b: any) => [number, number, number];
@@ -6047,26 +6074,26 @@ export interface InitOutput {
     readonly match_points: (a: any, b: any, c: any, d: any, e: any, f: any) => [number, number, number];
     readonly matches_csv: (a: any) => [number, number, number, number];
     readonly message: (a: any, b: any, c: number, d: number) => [number, number, number, number];
-    readonly model_points: (a: any, b: number, c: any, d: number, e: number) => [number, number, number, number];
+    readonly model_points: (a: any, b: any, c: any, d: any, e: number) => [number, number, number, number];
     readonly model_points_csv: (a: any) => [number, number, number, number];
-    readonly nearest_piece: (a: any, b: number, c: number, d: any) => [number, number, number];
+    readonly nearest_piece: (a: any, b: any, c: any, d: any) => [number, number, number];
     readonly observations: (a: any, b: any, c: any) => [number, number, number, number];
-    readonly one_image: (a: any, b: number, c: number, d: number, e: number) => [number, number, number];
+    readonly one_image: (a: any, b: any, c: any, d: any, e: any) => [number, number, number];
     readonly open_pair_project: (a: any) => [number, number, number];
     readonly orient_fiducials: (a: any, b: any) => [number, number, number];
     readonly orient_matches: (a: any, b: any, c: any, d: any, e: any) => [number, number, number];
-    readonly orient_relative: (a: any, b: number, c: any, d: number) => [number, number, number];
-    readonly orthomosaic_add: (a: number, b: number, c: any) => [number, number, number, number];
+    readonly orient_relative: (a: any, b: any, c: any, d: number) => [number, number, number];
+    readonly orthomosaic_add: (a: number, b: any, c: any) => [number, number, number, number];
     readonly orthomosaic_finish: (a: number) => [number, number, number];
     readonly orthomosaic_heights: (a: number) => [number, number, number, number];
-    readonly orthomosaic_leave_out: (a: number, b: number) => [number, number, number, number];
+    readonly orthomosaic_leave_out: (a: number, b: any) => [number, number, number, number];
     readonly orthomosaic_names: (a: number) => [number, number];
-    readonly orthomosaic_open: (a: any, b: any, c: any, d: number, e: number, f: number) => [number, number, number];
+    readonly orthomosaic_open: (a: any, b: any, c: any, d: number, e: number) => [number, number, number];
     readonly orthomosaic_order: (a: number) => [number, number];
     readonly orthomosaic_remark: (a: number) => any;
     readonly orthomosaic_size: (a: number) => [number, number];
     readonly orthophotoreference_adjust: (a: number, b: any, c: any, d: any) => [number, number, number];
-    readonly orthophotoreference_colours: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
+    readonly orthophotoreference_colours: (a: number, b: any, c: any, d: any, e: any, f: any) => [number, number, number, number];
     readonly orthophotoreference_control_by_hand: (a: number, b: any) => [number, number, number];
     readonly orthophotoreference_elsewhere: (a: number, b: any, c: any) => [number, number, number];
     readonly orthophotoreference_ground_positions: (a: number, b: any, c: any) => [number, number, number, number];
@@ -6074,8 +6101,8 @@ export interface InitOutput {
     readonly orthophotoreference_image_positions: (a: number, b: any, c: any) => [number, number, number, number];
     readonly orthophotoreference_info: (a: number) => any;
     readonly orthophotoreference_open: (a: any, b: any) => [number, number, number];
-    readonly orthophotoreference_picture: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
-    readonly orthophotoreference_place: (a: number, b: any, c: any, d: number, e: any) => [number, number, number];
+    readonly orthophotoreference_picture: (a: number, b: any, c: any, d: any, e: any, f: any) => [number, number, number, number];
+    readonly orthophotoreference_place: (a: number, b: any, c: any, d: number, e: any, f: any) => [number, number, number];
     readonly orthophotoreference_rectified: (a: number, b: any, c: any) => [number, number, number, number];
     readonly orthophotoreference_search: (a: number, b: any) => [number, number, number];
     readonly orthophotoreference_set_heights: (a: number, b: any, c: any) => [number, number];
@@ -6098,13 +6125,13 @@ export interface InitOutput {
     readonly photo_describe_points: (a: number, b: any, c: number) => [number, number, number];
     readonly photo_detect: (a: number, b: any, c: number) => [number, number, number];
     readonly photo_features: (a: number, b: any, c: number) => [number, number, number];
-    readonly photo_from_grey: (a: number, b: number, c: any) => [number, number, number];
+    readonly photo_from_grey: (a: any, b: any, c: any) => [number, number, number];
     readonly photo_grey: (a: number) => [number, number];
     readonly photo_height: (a: number) => number;
     readonly photo_info: (a: number) => any;
-    readonly photo_reduced: (a: number, b: number) => [number, number, number];
+    readonly photo_reduced: (a: number, b: any) => [number, number, number];
     readonly photo_width: (a: number) => number;
-    readonly photo_window_moments: (a: number, b: number, c: number, d: any) => [number, number, number];
+    readonly photo_window_moments: (a: number, b: any, c: any, d: any) => [number, number, number];
     readonly placed_tables: (a: any, b: any) => [number, number, number];
     readonly placing_defaults: () => any;
     readonly placing_parameters: () => any;
@@ -6112,10 +6139,11 @@ export interface InitOutput {
     readonly points_csv: (a: any) => [number, number, number, number];
     readonly positions_of_images: (a: any, b: any, c: any) => [number, number, number];
     readonly project_kind: (a: any) => [number, number, number];
-    readonly read_exif: (a: any, b: number, c: number) => [number, number, number];
+    readonly read_exif: (a: any, b: any, c: any) => [number, number, number];
     readonly refused_kind: (a: any, b: any) => [number, number, number];
+    readonly remarks_of_positions: (a: any, b: any) => [number, number, number];
     readonly report_html: (a: number) => [number, number, number, number];
-    readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any, g: number, h: number) => [number, number, number];
+    readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any, g: number, h: number, i: any) => [number, number, number];
     readonly report_step: (a: number) => [number, number, number];
     readonly report_steps: (a: number) => any;
     readonly resolved: (a: any) => [number, number, number];
@@ -6128,9 +6156,9 @@ export interface InitOutput {
     readonly run_news: (a: number) => any;
     readonly run_next: (a: number, b: number) => [number, number, number];
     readonly run_prepare: (a: number, b: number, c: any) => [number, number, number];
-    readonly scaled_interior: (a: any, b: number) => [number, number, number];
+    readonly scaled_interior: (a: any, b: any) => [number, number, number];
     readonly score_block: (a: any, b: any) => [number, number, number];
-    readonly score_matches: (a: any, b: any, c: any, d: number, e: number, f: number, g: number) => [number, number, number];
+    readonly score_matches: (a: any, b: any, c: any, d: any, e: any, f: any, g: any) => [number, number, number];
     readonly sha256: (a: any) => [number, number, number, number];
     readonly simulate: (a: any) => [number, number, number];
     readonly system_coordinates: (a: any, b: any) => [number, number, number];

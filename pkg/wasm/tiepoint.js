@@ -13,7 +13,7 @@ export class BlockOnOrthophoto {
     }
     free() {
         const ptr = this.__destroy_into_raw();
-        wasm.__wbg_blockonorthophoto_free(ptr, 0);
+        if (ptr !== 0) wasm.__wbg_blockonorthophoto_free(ptr, 0);
     }
     /**
      * The block in the system of the orthophoto, adjusted by places of its ground; what came of it stands in the summary. Where it could not be
@@ -72,7 +72,7 @@ export class BlockScene {
     }
     free() {
         const ptr = this.__destroy_into_raw();
-        wasm.__wbg_blockscene_free(ptr, 0);
+        if (ptr !== 0) wasm.__wbg_blockscene_free(ptr, 0);
     }
     /**
      * Builds the scene of a flight; parameters that are absent take their defaults.
@@ -175,7 +175,7 @@ export class BlockWriting {
     }
     free() {
         const ptr = this.__destroy_into_raw();
-        wasm.__wbg_blockwriting_free(ptr, 0);
+        if (ptr !== 0) wasm.__wbg_blockwriting_free(ptr, 0);
     }
     /**
      * Writes the next files; gives the summary after the last one, null before.
@@ -211,7 +211,7 @@ export class EpipolarPair {
     }
     free() {
         const ptr = this.__destroy_into_raw();
-        wasm.__wbg_epipolarpair_free(ptr, 0);
+        if (ptr !== 0) wasm.__wbg_epipolarpair_free(ptr, 0);
     }
     /**
      * SHA-256 of the files of the left and the right image in hexadecimal digits; null for photos that were simulated.
@@ -310,7 +310,7 @@ export class FinishedBlock {
     }
     free() {
         const ptr = this.__destroy_into_raw();
-        wasm.__wbg_finishedblock_free(ptr, 0);
+        if (ptr !== 0) wasm.__wbg_finishedblock_free(ptr, 0);
     }
     /**
      * A map of the standard errors that are expected of points that would be measured in the block. `cell`: the side of a cell, in units of the block;
@@ -320,7 +320,7 @@ export class FinishedBlock {
      * @returns {AccuracyFiles}
      */
     accuracy(cell, sigma_px) {
-        const ret = wasm.finishedblock_accuracy(this.__wbg_ptr, !isLikeNone(cell), isLikeNone(cell) ? 0 : cell, !isLikeNone(sigma_px), isLikeNone(sigma_px) ? 0 : sigma_px);
+        const ret = wasm.finishedblock_accuracy(this.__wbg_ptr, isLikeNone(cell) ? 0 : addToExternrefTable0(cell), isLikeNone(sigma_px) ? 0 : addToExternrefTable0(sigma_px));
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -575,7 +575,7 @@ export class OrthoMosaic {
     }
     free() {
         const ptr = this.__destroy_into_raw();
-        wasm.__wbg_orthomosaic_free(ptr, 0);
+        if (ptr !== 0) wasm.__wbg_orthomosaic_free(ptr, 0);
     }
     /**
      * Adds an image, by its index; one that is not oriented adds nothing. Gives what the file goes on with.
@@ -656,7 +656,7 @@ export class OrthoMosaic {
      * @returns {OrthoMosaic}
      */
     static open(project, heights, heights_sidecars, gsd, in_adjustment) {
-        const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, !isLikeNone(gsd), isLikeNone(gsd) ? 0 : gsd, isLikeNone(in_adjustment) ? 0xFFFFFF : in_adjustment ? 1 : 0);
+        const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, isLikeNone(gsd) ? 0 : addToExternrefTable0(gsd), isLikeNone(in_adjustment) ? 0xFFFFFF : in_adjustment ? 1 : 0);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -711,7 +711,7 @@ export class OrthophotoReference {
     }
     free() {
         const ptr = this.__destroy_into_raw();
-        wasm.__wbg_orthophotoreference_free(ptr, 0);
+        if (ptr !== 0) wasm.__wbg_orthophotoreference_free(ptr, 0);
     }
     /**
      * Orients an image by links that are given, in their order; nothing is matched.
@@ -861,15 +861,16 @@ export class OrthophotoReference {
      * Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
      * of its EXIF and XMP, or a usual one. Where it records a GNSS position and the system of the orthophoto is known, it is sought there first, within
      * `within_m`, then on all of the orthophoto. `film`: of the scan of a photo on film, its calibrated camera and the fiducial marks that were measured in it,
-     * in place of what is known otherwise.
+     * in place of what is known otherwise. `position`: its GNSS position in a table (`positions_of_images`), in place of that which its file records.
      * @param {string} name
      * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} file
      * @param {string | null | undefined} cameras
      * @param {Given<FilmInput> | null} [film]
+     * @param {GivenPosition | null} [position]
      * @returns {PlacedImage}
      */
-    place(name, file, cameras, film) {
-        const ret = wasm.orthophotoreference_place(this.__wbg_ptr, name, file, isLikeNone(cameras) ? 0 : addToExternrefTable0(cameras), film);
+    place(name, file, cameras, film, position) {
+        const ret = wasm.orthophotoreference_place(this.__wbg_ptr, name, file, isLikeNone(cameras) ? 0 : addToExternrefTable0(cameras), film, position);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -935,7 +936,7 @@ export class Photo {
     }
     free() {
         const ptr = this.__destroy_into_raw();
-        wasm.__wbg_photo_free(ptr, 0);
+        if (ptr !== 0) wasm.__wbg_photo_free(ptr, 0);
     }
     /**
      * Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file.
@@ -1094,7 +1095,7 @@ export class Report {
     }
     free() {
         const ptr = this.__destroy_into_raw();
-        wasm.__wbg_report_free(ptr, 0);
+        if (ptr !== 0) wasm.__wbg_report_free(ptr, 0);
     }
     /**
      * The page, which holds everything it shows. Does the steps that are left.
@@ -1120,20 +1121,21 @@ export class Report {
     }
     /**
      * Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
-     * and row by row, are left out.
+     * and row by row, are left out. With edits the run is that of the edited matches; the other strategies match by themselves.
      * @param {Photo} left
      * @param {Photo} right
      * @param {[string, string]} names
      * @param {Given<PairInput>} input
      * @param {Given<PairSettings>} settings
      * @param {ReportTruth | null} truth
-     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer | null} [left_mask]
-     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer | null} [right_mask]
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer | null | undefined} left_mask
+     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer | null | undefined} right_mask
+     * @param {ReportEdits | null} [edits]
      */
-    constructor(left, right, names, input, settings, truth, left_mask, right_mask) {
+    constructor(left, right, names, input, settings, truth, left_mask, right_mask, edits) {
         _assertClass(left, Photo);
         _assertClass(right, Photo);
-        const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, isLikeNone(left_mask) ? 0 : addToExternrefTable0(left_mask), isLikeNone(right_mask) ? 0 : addToExternrefTable0(right_mask));
+        const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, isLikeNone(left_mask) ? 0 : addToExternrefTable0(left_mask), isLikeNone(right_mask) ? 0 : addToExternrefTable0(right_mask), edits);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -1176,7 +1178,7 @@ export class Run {
     }
     free() {
         const ptr = this.__destroy_into_raw();
-        wasm.__wbg_run_free(ptr, 0);
+        if (ptr !== 0) wasm.__wbg_run_free(ptr, 0);
     }
     /**
      * Takes the bytes that came of a job.
@@ -1471,8 +1473,8 @@ export function check_cameras(text, names) {
  * @param {string} points
  * @param {string} marks
  * @param {readonly string[]} names
- * @param {GeoreferencingOptions} placing
- * @param {boolean | null} [on_orthophoto]
+ * @param {Given<GeoreferencingOptions>} [placing]
+ * @param {boolean} [on_orthophoto]
  */
 export function check_control(points, marks, names, placing, on_orthophoto) {
     const ret = wasm.check_control(points, marks, names, placing, isLikeNone(on_orthophoto) ? 0xFFFFFF : on_orthophoto ? 1 : 0);
@@ -1495,7 +1497,7 @@ export function check_flight(flight) {
 /**
  * Refuses the file of a geoid beside its height, and one without a coordinate system whose heights count from it.
  * @param {string} name
- * @param {GeoreferencingOptions} placing
+ * @param {Given<GeoreferencingOptions>} [placing]
  */
 export function check_geoid(name, placing) {
     const ret = wasm.check_geoid(name, placing);
@@ -2170,15 +2172,13 @@ export function message(family, message, attribute, language) {
  * @returns {Float64Array}
  */
 export function model_points(observations, focal_mm, options, base, weights) {
-    const val1 = +focal_mm;
-    const val2 = +base;
-    const ret = wasm.model_points(observations, val1, options, val2, isLikeNone(weights) ? 0 : addToExternrefTable0(weights));
+    const ret = wasm.model_points(observations, focal_mm, options, base, isLikeNone(weights) ? 0 : addToExternrefTable0(weights));
     if (ret[3]) {
         throw takeFromExternrefTable0(ret[2]);
     }
-    var v3 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+    var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
     wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-    return v3;
+    return v1;
 }
 
 /**
@@ -2311,8 +2311,7 @@ export function orient_matches(matches, fits, interior, options, points) {
  * @returns {RelativeOrientation}
  */
 export function orient_relative(observations, focal_mm, options, weights) {
-    const val1 = +focal_mm;
-    const ret = wasm.orient_relative(observations, val1, options, isLikeNone(weights) ? 0 : addToExternrefTable0(weights));
+    const ret = wasm.orient_relative(observations, focal_mm, options, isLikeNone(weights) ? 0 : addToExternrefTable0(weights));
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2573,7 +2572,7 @@ export function points_csv(points) {
  * Heights in a coordinate reference system whose geoid is a file count from its zero here.
  * @param {string} text
  * @param {readonly string[]} names
- * @param {GeoreferencingOptions} placing
+ * @param {Given<GeoreferencingOptions>} [placing]
  * @returns {(GivenPosition | null)[]}
  */
 export function positions_of_images(text, names, placing) {
@@ -2621,6 +2620,20 @@ export function read_exif(file, width, height) {
  */
 export function refused_kind(name, start) {
     const ret = wasm.refused_kind(name, start);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * What is to be said of a table of GNSS positions beside images of these names: columns that are not understood, rows of other images.
+ * @param {string} text
+ * @param {readonly string[]} names
+ * @returns {Remark[]}
+ */
+export function remarks_of_positions(text, names) {
+    const ret = wasm.remarks_of_positions(text, names);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
