@@ -5215,7 +5215,7 @@ export class OrthoMosaic {
      * pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
      * adjustment, as the map of the page is.
      */
-    static open(project: Uint8Array | Uint8ClampedArray | ArrayBuffer, heights: number | Uint8Array | null, heights_sidecars: Given<Sidecars> | null | undefined, gsd?: number | null, in_adjustment?: boolean | null): OrthoMosaic;
+    static open(project: Uint8Array | Uint8ClampedArray | ArrayBuffer, heights: number | Uint8Array | null, heights_sidecars?: Given<Sidecars> | null, gsd?: number | null, in_adjustment?: boolean | null): OrthoMosaic;
     /**
      * The indices of its oriented images in an order in which little waits in memory for images to come.
      */
@@ -5291,7 +5291,7 @@ export class OrthophotoReference {
      * `within_m`, then on all of the orthophoto. `film`: of the scan of a photo on film, its calibrated camera and the fiducial marks that were measured in it,
      * in place of what is known otherwise. `position`: its GNSS position in a table (`positions_of_images`), in place of that which its file records.
      */
-    place(name: string, file: Uint8Array | Uint8ClampedArray | ArrayBuffer, cameras: string | null | undefined, film?: Given<FilmInput> | null, position?: GivenPosition | null): PlacedImage;
+    place(name: string, file: Uint8Array | Uint8ClampedArray | ArrayBuffer, cameras?: string | null, film?: Given<FilmInput> | null, position?: GivenPosition | null): PlacedImage;
     /**
      * A placed image resampled to the ground, in its colours, as GeoTIFF.
      */
@@ -5375,7 +5375,7 @@ export class Report {
      * Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
      * and row by row, are left out. With edits the run is that of the edited matches; the other strategies match by themselves.
      */
-    constructor(left: Photo, right: Photo, names: [string, string], input: Given<PairInput>, settings: Given<PairSettings>, truth: ReportTruth | null, left_mask: Uint8Array | Uint8ClampedArray | ArrayBuffer | null | undefined, right_mask: Uint8Array | Uint8ClampedArray | ArrayBuffer | null | undefined, edits?: ReportEdits | null);
+    constructor(left: Photo, right: Photo, names: [string, string], input: Given<PairInput>, settings: Given<PairSettings>, truth: ReportTruth | null, left_mask?: Uint8Array | Uint8ClampedArray | ArrayBuffer | null, right_mask?: Uint8Array | Uint8ClampedArray | ArrayBuffer | null, edits?: ReportEdits | null);
     /**
      * Does the next step; false when all were done.
      */

@@ -35,6 +35,15 @@ export function explained(code) {
   return freedOnce(made);
 }
 
+/**
+ * The types with arguments that may be left out where all behind them may: the generator asks for `undefined` in their place.
+ * @param {string} types as the generator writes them @returns {string}
+ */
+export function withOptional(types) {
+  const made = types.replaceAll(/(\w+): ([^,():]+) \| undefined(, \w+\?: )/g, '$1?: $2$3');
+  return made === types ? made : withOptional(made);
+}
+
 /** @param {string} piece @param {number} found @param {number} times */
 function check(piece, found, times) {
   if (found !== times) throw new Error(`the generated JavaScript has "${piece}" ${found} times; ${times} were expected: see tools/lib/glue.mjs`);

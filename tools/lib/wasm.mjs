@@ -7,7 +7,7 @@ import { mkdirSync, readdirSync, readFileSync, realpathSync, rmSync, statSync, w
 import { homedir } from 'node:os';
 import { join } from 'node:path';
 import { crateLicences, metadataArgs, treeArgs } from './crates.mjs';
-import { explained } from './glue.mjs';
+import { explained, withOptional } from './glue.mjs';
 import { pinned, ROOT, TARGET } from './paths.mjs';
 import { asked, must } from './process.mjs';
 import { bindgenVersion, cargo, WASM_TARGET, wantedVersion } from './rust.mjs';
@@ -46,6 +46,8 @@ export async function buildWasm(toolchain, programs, out, fast = false) {
   await must(programs.bindgen, [...bindgen, '--out-dir', out, '--out-name', 'tiepoint', compiled], { quiet: true });
   const glue = join(out, 'tiepoint.js');
   writeFileSync(glue, explained(readFileSync(glue, 'utf8')));
+  const types = join(out, 'tiepoint.d.ts');
+  writeFileSync(types, withOptional(readFileSync(types, 'utf8')));
   if (!fast) await optimise(join(out, 'tiepoint_bg.wasm'));
   const record = { rustc: toolchain.rustc, wasm_bindgen: bindgenVersion(), binaryen: pinned('binaryen') };
   writeFileSync(join(out, 'BUILD.json'), `${JSON.stringify(record, null, 2)}\n`);
