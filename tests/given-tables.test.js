@@ -59,7 +59,8 @@ test('a table is what its rows are', () => {
     ['', /no rows/],
     // Positions with what is wrong with them.
     ['one.jpg,50.5,8.25,171.5\n', /may be latitude and longitude or longitude and latitude/],
-    ['image,lat,lon,height\none.jpg,50.5,8,25,171\ntwo.jpg,50.5,x,171\n', /'x' for lon in line 3/],
+    ['image,lat,lon,height\none.jpg,50.5,8.25,171\ntwo.jpg,50.5,x,171\n', /'x' for lon in line 3/],
+    ['image,lat,lon,height\none.jpg,50.5,8,25,171\n', /with more fields than the 4 columns that are named/],
     ['image,lat,lon,height\none,50.5,8.25,171.5\n', /rows name no images: \u2068?one\u2069? is none/],
     // Image measurements with what is wrong with them, not with control points.
     ['Bild;Punkt;x;y\nDSC_0001;P1;100.5;200\n', /first column has to name images .*, and \u2068?DSC_0001\u2069? is none/],
