@@ -348,6 +348,7 @@ test('images that record positions elsewhere than the orthophoto are doubted bef
   const rows = blockPhotos(FLIGHT).map(({ name }) => `${name},${longitude + 1},${latitude}\n`);
   await part(page, 'block-positions-input').setInputFiles(upload('flight.csv', text(`image,lon,lat\n${rows.join('')}`)));
   await says(page, 'block-answer', /[Nn]o GNSS position of the 6 images lies within 500 m of the orthophoto/);
+  await part(page, 'tab-block-settings').click();
   await part(page, 'block-positions-remove').click();
   await isSure();
   assert.deepEqual(complaints, []);
