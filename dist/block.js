@@ -4487,16 +4487,18 @@ var BlockFiles = class {
 	runs;
 	openProject;
 	putAside;
+	left;
 	ground;
 	film;
 	waiting = keptChoice(WAITS) === "yes";
-	constructor(store, engine, placing, runs, openProject, putAside) {
+	constructor(store, engine, placing, runs, openProject, putAside, left) {
 		this.store = store;
 		this.engine = engine;
 		this.placing = placing;
 		this.runs = runs;
 		this.openProject = openProject;
 		this.putAside = putAside;
+		this.left = left;
 		this.ground = new GroundFiles(store, placing);
 		this.film = new FilmFiles(store);
 		let before = store.state;
@@ -4514,6 +4516,7 @@ var BlockFiles = class {
 		keepChoice(WAITS, waits ? "yes" : "no");
 	}
 	async take(given, why = "") {
+		await this.left();
 		const before = this.store.state.notice;
 		const kinds = await refusedKinds(given.map(({ file }) => file));
 		const unread = kindsText(kinds);
@@ -14654,14 +14657,14 @@ var PLACED_SAMPLE = {
 	pixel_mm: .045
 };
 var PLACED_GSD_M = .5;
-async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAside }) {
+async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAside, left }) {
 	const store = new Holder(BLOCK_INITIAL, reduceBlock);
 	const engine = new BlockEngine(store);
 	const placing = new PlacingEngine(store);
 	const onGround = new BlockPlacing(store, engine, placing);
 	const runs = new BlockRuns(store, engine, placing, onGround);
 	const kept = new KeptBlocks(store, engine, catalogue);
-	const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept));
+	const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept), left);
 	const looking = {
 		choose: (choice) => store.dispatch({
 			type: "choose",

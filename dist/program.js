@@ -8083,6 +8083,7 @@ var Files = class {
 	}
 	async take(files, side, asks = side === null) {
 		if (files.length === 0) return;
+		await this.elsewhere.left();
 		this.store.dispatch({
 			type: "notice",
 			notice: null
@@ -14893,7 +14894,7 @@ function selectedPlace(state, scene) {
 	return x === void 0 || y === void 0 ? null : toCanvas(transform, x, y);
 }
 // www/pair/mount.ts
-async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBlock, putAside }) {
+async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBlock, putAside, left: projectLeft }) {
 	const store = new Store();
 	const { element: left, panels: [settings, camera, simulate] } = tabbed("settings", say("settings"), [
 		["settings", say("settings")],
@@ -14921,7 +14922,8 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 	const kept = new KeptPairs(store, engine, catalogue);
 	const files = new Files(store, engine, openProject, {
 		toBlock,
-		toGround
+		toGround,
+		left: projectLeft
 	}, () => putAside(kept));
 	const attempt = async (action) => {
 		try {
@@ -15577,6 +15579,7 @@ var Keeper = class {
 	isNew = true;
 	timer;
 	saving = Promise.resolve();
+	lastLeft = Promise.resolve();
 	constructor(keepables, mode) {
 		this.keepables = keepables;
 		this.mode = mode;
@@ -15628,7 +15631,10 @@ var Keeper = class {
 			bytes: await database.bytesOf(row.id)
 		})));
 	}
-	async open(id, how = "claim") {
+	open(id, how = "claim") {
+		return this.leaving(this.opened(id, how));
+	}
+	async opened(id, how) {
 		await this.settle();
 		const show = await this.read(id, how);
 		if (show === null) return;
@@ -15655,7 +15661,17 @@ var Keeper = class {
 			} });
 		}
 	}
-	async anew() {
+	anew() {
+		return this.leaving(this.begun());
+	}
+	left() {
+		return this.lastLeft;
+	}
+	leaving(way) {
+		this.lastLeft = way.catch(() => void 0);
+		return way;
+	}
+	async begun() {
 		await this.settle();
 		await this.begin();
 		for (const keepable of this.keepables) keepable.clear();
@@ -16576,7 +16592,8 @@ async function startParts(opening, serveDrop) {
 		toBlock,
 		toGround,
 		sampleBlock,
-		putAside: (kept) => keeper.putAside(kept)
+		putAside: (kept) => keeper.putAside(kept),
+		left: () => keeper.left()
 	});
 	showIn(modes, "pair", [...document.querySelectorAll(".bar .actions, .bar .drawers, body > main")]);
 	document.querySelector(".bar h1")?.after(modeSwitch(modes, (mode) => void show(mode)));
@@ -16585,7 +16602,8 @@ async function startParts(opening, serveDrop) {
 		const block = await loadBlock(catalogue, pair, {
 			modes,
 			openProject,
-			putAside: (kept) => keeper.putAside(kept)
+			putAside: (kept) => keeper.putAside(kept),
+			left: () => keeper.left()
 		});
 		keptBlock.arrive(block.kept);
 		takers.unshift(block.taker);

@@ -62,7 +62,14 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
   await breath();
   const modes = makeModes();
   const takers: Taker[] = [];
-  const pair = await mountPair(catalogue, { openProject, toBlock, toGround, sampleBlock, putAside: (kept) => keeper.putAside(kept) });
+  const pair = await mountPair(catalogue, {
+    openProject,
+    toBlock,
+    toGround,
+    sampleBlock,
+    putAside: (kept) => keeper.putAside(kept),
+    left: () => keeper.left(),
+  });
   showIn(modes, 'pair', [...document.querySelectorAll<HTMLElement>('.bar .actions, .bar .drawers, body > main')]);
   document.querySelector('.bar h1')?.after(modeSwitch(modes, (mode) => void show(mode)));
   await breath();
@@ -71,6 +78,7 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
       modes,
       openProject,
       putAside: (kept) => keeper.putAside(kept),
+      left: () => keeper.left(),
     });
     keptBlock.arrive(block.kept);
     takers.unshift(block.taker);

@@ -66,8 +66,9 @@ const ready = (page) => page.evaluate(() => navigator.serviceWorker.ready.then((
 /** Whether the page has the style of the later release.  @param {Page} page */
 const isLater = (page) => page.evaluate(async () => (await (await fetch('page.css')).text()).includes('of-a-later-release'));
 
-test('the page starts offline, keeps to its release until the user updates, and loses nothing', { skip: SKIP }, async () => {
+test('the page starts offline, keeps to its release until the user updates, and loses nothing', { skip: SKIP }, async (t) => {
   const { url, release, close: closeHost } = await host();
+  t.after(closeHost);
   const { page, complaints, close } = await open({ url, options: { serviceWorkers: 'allow' } });
   await ready(page);
   await pair(page);
@@ -110,7 +111,6 @@ test('the page starts offline, keeps to its release until the user updates, and 
   assert.equal(await number(page, 'count-matches'), matches);
   assert.deepEqual(complaints, []);
   await close();
-  closeHost();
 });
 
 test('a project that the system opens with the page is shown, and the page says whose work it holds', { skip: SKIP }, async () => {

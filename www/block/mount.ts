@@ -78,17 +78,19 @@ interface Elsewhere {
   openProject: (file: File) => Promise<void>;
   /** Leaves a part of the page in the list of projects; false where it cannot be. */
   putAside: (part: Keepable) => Promise<boolean>;
+  /** Waits for the project that is being left. */
+  left: () => Promise<void>;
 }
 
 /** In pieces, between which the page answers what the user does. */
-export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, pair, openProject, putAside }: Elsewhere): Promise<Block> {
+export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, pair, openProject, putAside, left }: Elsewhere): Promise<Block> {
   const store: BlockStore = new Holder(BLOCK_INITIAL, reduceBlock);
   const engine = new BlockEngine(store);
   const placing = new PlacingEngine(store);
   const onGround = new BlockPlacing(store, engine, placing);
   const runs = new BlockRuns(store, engine, placing, onGround);
   const kept = new KeptBlocks(store, engine, catalogue);
-  const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept));
+  const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept), left);
   const looking = {
     choose: (choice: Choice | null) => store.dispatch({ type: 'choose', choice }),
     point: (choice: Choice | null) => store.dispatch({ type: 'point', choice }),

@@ -71,10 +71,12 @@ export interface Elsewhere {
   sampleBlock: () => void;
   /** Leaves a pair in the list of projects. */
   putAside: (pair: Keepable) => Promise<boolean>;
+  /** Waits for the project that is being left. */
+  left: () => Promise<void>;
 }
 
 /** In pieces, between which the page answers what the user does. */
-export async function mountPair(catalogue: Catalogue, { openProject, toBlock, toGround, sampleBlock, putAside }: Elsewhere): Promise<Pair> {
+export async function mountPair(catalogue: Catalogue, { openProject, toBlock, toGround, sampleBlock, putAside, left: projectLeft }: Elsewhere): Promise<Pair> {
   const store = new Store();
   const {
     element: left,
@@ -102,7 +104,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
   const navigator = new Navigator(store, view);
   await breath();
   const kept = new KeptPairs(store, engine, catalogue);
-  const files = new Files(store, engine, openProject, { toBlock, toGround }, () => putAside(kept));
+  const files = new Files(store, engine, openProject, { toBlock, toGround, left: projectLeft }, () => putAside(kept));
   /** Runs an action of the user's; what goes wrong is said in the status line. */
   const attempt = async (action: () => void | Promise<void>) => {
     try {

@@ -69,6 +69,8 @@ export class BlockFiles {
     private readonly openProject: (file: File) => Promise<void>,
     /** Leaves the block that is shown in the list of projects; false where it cannot be. */
     private readonly putAside: () => Promise<boolean>,
+    /** Waits for the project that is being left: files are of the next one. */
+    private readonly left: () => Promise<void>,
   ) {
     this.ground = new GroundFiles(store, placing);
     this.film = new FilmFiles(store);
@@ -92,6 +94,7 @@ export class BlockFiles {
 
   /** Adds images to the block; what a folder holds besides images is left aside. `why` is said first. */
   async take(given: readonly FoundFile[], why = ''): Promise<void> {
+    await this.left();
     const before = this.store.state.notice;
     const kinds = await refusedKinds(given.map(({ file }) => file));
     const unread = kindsText(kinds);

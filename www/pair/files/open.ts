@@ -84,6 +84,8 @@ export class Files {
       toBlock: (files: readonly File[], masks: readonly File[]) => void;
       /** Takes photographs with the orthophoto or the heights that they are to be placed by; false where there are none among the files. */
       toGround: (found: FoundFile[]) => Promise<boolean>;
+      /** Waits for the project that is being left: files are of the next one. */
+      left: () => Promise<void>;
     },
     /** Leaves the project in the list before another pair takes its place; false where it cannot. */
     private readonly putAside: () => Promise<boolean>,
@@ -108,6 +110,7 @@ export class Files {
   /** Takes files of any kind; `side` says where a single one belongs. `asks`: whether a third photo may replace one is asked before it does. */
   async take(files: readonly File[], side: Side | null, asks = side === null): Promise<void> {
     if (files.length === 0) return;
+    await this.elsewhere.left();
     this.store.dispatch({ type: 'notice', notice: null });
     const refused = await refusedKinds(files);
     const { images, masks, tables, cameras, projects } = sortFiles(files.filter((file) => !refused.has(file)));

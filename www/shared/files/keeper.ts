@@ -69,6 +69,8 @@ export class Keeper {
   private isNew = true;
   private timer: number | undefined;
   private saving: Promise<void> = Promise.resolve();
+  /** Ends when the project that was left last is. */
+  private lastLeft: Promise<void> = Promise.resolve();
 
   constructor(
     private readonly keepables: readonly Keepable[],
@@ -121,7 +123,11 @@ export class Keeper {
   }
 
   /** Opens a kept project in place of the present one, which stays in the list; where it cannot be opened nothing changes. */
-  async open(id: string, how: Opening = 'claim'): Promise<void> {
+  open(id: string, how: Opening = 'claim'): Promise<void> {
+    return this.leaving(this.opened(id, how));
+  }
+
+  private async opened(id: string, how: Opening): Promise<void> {
     await this.settle();
     const show = await this.read(id, how);
     if (show === null) return;
@@ -147,7 +153,21 @@ export class Keeper {
   }
 
   /** Puts the present project aside and begins a new one. */
-  async anew(): Promise<void> {
+  anew(): Promise<void> {
+    return this.leaving(this.begun());
+  }
+
+  /** Waits for the project that is being left: what is given meanwhile belongs to the next one. */
+  left(): Promise<void> {
+    return this.lastLeft;
+  }
+
+  private leaving(way: Promise<void>): Promise<void> {
+    this.lastLeft = way.catch(() => undefined);
+    return way;
+  }
+
+  private async begun(): Promise<void> {
     await this.settle();
     await this.begin();
     for (const keepable of this.keepables) keepable.clear();
