@@ -294,7 +294,7 @@ mod tests {
         number
     }
 
-    /// Natively with the plain products, as WebAssembly with those of SIMD.
+    /// Natively and as WebAssembly, whose vectors differ.
     #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test)]
     #[cfg_attr(not(target_arch = "wasm32"), test)]
     fn coefficients_agree_with_the_definition() {

@@ -11,7 +11,7 @@ pub(crate) struct Pairs(Vector);
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 type Vector = v128;
 #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
-type Vector = [i16; 8];
+type Vector = wide::i16x8;
 
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 impl Pairs {
@@ -39,20 +39,19 @@ impl Pairs {
 impl Pairs {
     #[inline(always)]
     pub fn load(values: &[i16; 8]) -> Self {
-        Self(*values)
+        Self(Vector::new(*values))
     }
 
     /// The same pair four times.
     #[inline(always)]
     pub fn splat(&[a, b]: &[i16; 2]) -> Self {
-        Self([a, b, a, b, a, b, a, b])
+        Self(Vector::new([a, b, a, b, a, b, a, b]))
     }
 
     /// For each pair a₀ b₀ + a₁ b₁.
     #[inline(always)]
     pub fn dot(self, other: Self) -> Whole {
-        let product = |k: usize| i32::from(self.0[k]) * i32::from(other.0[k]);
-        Whole(std::array::from_fn(|k| product(2 * k) + product(2 * k + 1)))
+        Whole(self.0.dot(other.0))
     }
 }
 

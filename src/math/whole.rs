@@ -3,6 +3,8 @@
 use super::Lanes;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 use std::arch::wasm32::*;
+#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+use wide::bytemuck::cast;
 
 /// Four whole numbers, or four pairs of 16 bits: the first of a pair is the lower half.
 #[derive(Clone, Copy)]
@@ -11,7 +13,7 @@ pub(crate) struct Whole(pub(super) Vector);
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 type Vector = v128;
 #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
-type Vector = [i32; 4];
+type Vector = wide::i32x4;
 
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 impl Whole {
@@ -87,6 +89,14 @@ impl Whole {
         }
     }
 
+    /// The sum of the numbers of each of the four, as one.
+    #[inline(always)]
+    pub fn lane_sums([a, b, c, d]: [Self; 4]) -> Self {
+        let pairs = |a: Self, b: Self| i32x4_add(i32x4_shuffle::<0, 4, 1, 5>(a.0, b.0), i32x4_shuffle::<2, 6, 3, 7>(a.0, b.0));
+        let (ab, cd) = (pairs(a, b), pairs(c, d));
+        Self(i32x4_add(i32x4_shuffle::<0, 1, 4, 5>(ab, cd), i32x4_shuffle::<2, 3, 6, 7>(ab, cd)))
+    }
+
     /// Of pairs: the sum of the products of their numbers with those of the other's.
     #[inline(always)]
     pub fn dot(self, other: Self) -> Self {
@@ -98,62 +108,57 @@ impl Whole {
 impl Whole {
     #[inline(always)]
     pub fn load(values: &[i32; 4]) -> Self {
-        Self(*values)
+        Self(Vector::new(*values))
     }
 
     #[inline(always)]
     pub fn splat(value: i32) -> Self {
-        Self([value; 4])
+        Self(Vector::splat(value))
     }
 
     /// Numbers without their decimals; what is beyond 32 bits becomes the nearest that is not, and NaN 0.
     #[inline(always)]
     pub fn truncated(numbers: Lanes) -> Self {
-        Self(numbers.0.map(|v| v as i32))
+        Self(Vector::new(numbers.0.map(|v| v as i32)))
     }
 
     #[inline(always)]
     pub fn to_lanes(self) -> Lanes {
-        Lanes(self.0.map(|v| v as f32))
+        Lanes(self.to_array().map(|v| v as f32))
     }
 
     #[inline(always)]
     pub fn to_array(self) -> [i32; 4] {
-        self.0
-    }
-
-    #[inline(always)]
-    fn zip(self, other: Self, by: impl Fn(i32, i32) -> i32) -> Self {
-        Self(std::array::from_fn(|k| by(self.0[k], other.0[k])))
+        self.0.to_array()
     }
 
     /// The larger one of each two.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
-        self.zip(other, i32::max)
+        Self(self.0.max(other.0))
     }
 
     /// All bits of a number set where it exceeds the other one, else none.
     #[inline(always)]
     pub fn exceeds(self, other: Self) -> Self {
-        self.zip(other, |a, b| -i32::from(a > b))
+        Self(self.0.simd_gt(other.0))
     }
 
     #[inline(always)]
     pub fn or(self, other: Self) -> Self {
-        self.zip(other, |a, b| a | b)
+        Self(self.0 | other.0)
     }
 
     /// Whether any bit is set.
     #[inline(always)]
     pub fn any(self) -> bool {
-        self.0 != [0; 4]
+        self.0 != Vector::ZERO
     }
 
     /// Not below `least` nor above `most`.
     #[inline(always)]
     pub fn clamp(self, least: Self, most: Self) -> Self {
-        Self(std::array::from_fn(|k| self.0[k].max(least.0[k]).min(most.0[k])))
+        Self(self.0.max(least.0).min(most.0))
     }
 
     /// The pairs of values that begin at four places.
@@ -163,20 +168,27 @@ impl Whole {
     #[inline(always)]
     pub fn pairs(values: &[i16], places: [usize; 4]) -> Self {
         let half = |value: i16| i32::from(value as u16);
-        Self(places.map(|place| half(values[place]) | (half(values[place + 1]) << 16)))
+        Self(Vector::new(places.map(|place| half(values[place]) | (half(values[place + 1]) << 16))))
+    }
+
+    /// The sum of the numbers of each of the four, as one.
+    #[inline(always)]
+    pub fn lane_sums(four: [Self; 4]) -> Self {
+        let [a, b, c, d] = Vector::transpose(four.map(|one| one.0));
+        Self(a + b + c + d)
     }
 
     /// Of pairs: the sum of the products of their numbers with those of the other's.
     #[inline(always)]
     pub fn dot(self, other: Self) -> Self {
-        let product = |a: i32, b: i32| i32::from(a as i16) * i32::from(b as i16);
-        Self(std::array::from_fn(|k| product(self.0[k], other.0[k]).wrapping_add(product(self.0[k] >> 16, other.0[k] >> 16))))
+        let halves = |four: Self| cast::<Vector, wide::i16x8>(four.0);
+        Self(halves(self).dot(halves(other)))
     }
 }
 
 /// One operator, of both kinds of vectors; what is beyond 32 bits is cut off.
 macro_rules! operator {
-    ($name:ident, $method:ident, $simd:ident, $plain:ident) => {
+    ($name:ident, $method:ident, $simd:ident) => {
         impl std::ops::$name for Whole {
             type Output = Self;
 
@@ -189,15 +201,15 @@ macro_rules! operator {
             #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                self.zip(other, i32::$plain)
+                Self(self.0.$method(other.0))
             }
         }
     };
 }
 
-operator!(Add, add, i32x4_add, wrapping_add);
-operator!(Sub, sub, i32x4_sub, wrapping_sub);
-operator!(Mul, mul, i32x4_mul, wrapping_mul);
+operator!(Add, add, i32x4_add);
+operator!(Sub, sub, i32x4_sub);
+operator!(Mul, mul, i32x4_mul);
 
 #[cfg(test)]
 mod tests {
@@ -236,6 +248,10 @@ mod tests {
                 assert_eq!(x.exceeds(y).any(), (0..4).any(|k| a[k] > b[k]));
             }
         }
+        assert_eq!(
+            Whole::lane_sums(rows.map(|row| Whole::load(&row))).to_array(),
+            rows.map(|row| row.into_iter().fold(0, i32::wrapping_add))
+        );
         let values = [5i16, -7, 32_767, -32_768, 100, 3, 9];
         let (a, b) = (Whole::pairs(&values, [0, 1, 2, 5]), Whole::pairs(&values, [3, 2, 1, 0]));
         let product =
