@@ -20,14 +20,30 @@ function large() {
   return Buffer.from(grey_png(width, height, grey));
 }
 
+/**
+ * Gives files, and presses Cancel as soon as the status begins so: a press from here may come after all is read.
+ * @param {import('playwright-core').Page} page @param {string} start of the status @param {ReturnType<typeof upload>[]} files
+ */
+async function cancelled(page, start, files) {
+  await page.evaluate((begins) => {
+    const [status, cancel] = ['status', 'cancel'].map((id) => /** @type {HTMLElement} */ (document.querySelector(`[data-testid="${id}"]`)));
+    const watching = new MutationObserver(() => {
+      if (!status?.textContent.startsWith(begins)) return;
+      watching.disconnect();
+      cancel?.click();
+    });
+    if (status) watching.observe(status, { childList: true, characterData: true, subtree: true });
+  }, start);
+  await part(page, 'file-input').setInputFiles(files);
+}
+
 test('images whose reading was cancelled stay, and Run opens them', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ fresh: true });
   await says(page, 'status', /^Ready/);
   const [small] = pngs();
+  const bytes = large();
   assert.ok(small);
-  await part(page, 'file-input').setInputFiles([upload('a_large.png', large(), 'image/png'), { ...small, name: 'b_small.png' }]);
-  await says(page, 'status', /^Reading a_large\.png and b_small\.png/);
-  await part(page, 'cancel').click();
+  await cancelled(page, 'Reading a_large.png and b_small.png', [upload('a_large.png', bytes, 'image/png'), { ...small, name: 'b_small.png' }]);
   await says(page, 'status', /^Cancelled\. The images stay: press Run to open them\.$/);
   assert.deepEqual(
     await Promise.all(['left', 'right'].map(async (side) => /(?:a_large|b_small)/.exec((await part(page, `name-${side}`).textContent()) ?? '')?.[0])),
@@ -37,9 +53,7 @@ test('images whose reading was cancelled stay, and Run opens them', { skip: SKIP
   await done(page);
   assert.match((await part(page, 'name-left').textContent()) ?? '', /7000 × 5000|7\s?000/);
   // Images that would take the place of others change nothing.
-  await part(page, 'file-input').setInputFiles([upload('c_large.png', large(), 'image/png'), { ...small, name: 'd_small.png' }]);
-  await says(page, 'status', /^Reading c_large\.png/);
-  await part(page, 'cancel').click();
+  await cancelled(page, 'Reading c_large.png', [upload('c_large.png', bytes, 'image/png'), { ...small, name: 'd_small.png' }]);
   await says(page, 'status', /Cancelled\. Nothing was changed\./);
   assert.match((await part(page, 'name-left').textContent()) ?? '', /a_large/);
   // Images that took the place of others are not said to be kept.
@@ -56,9 +70,8 @@ test('images whose reading was cancelled stay, and Run opens them', { skip: SKIP
   await close();
   const another = await open({ fresh: true });
   await says(another.page, 'status', /^Ready/);
-  await part(another.page, 'file-input').setInputFiles([upload('a_large.png', large(), 'image/png'), { ...small, name: 'b_small.png' }, marks]);
-  await says(another.page, 'status', /^Reading a_large\.png and b_small\.png/);
-  await part(another.page, 'cancel').click();
+  const given = [upload('a_large.png', bytes, 'image/png'), { ...small, name: 'b_small.png' }, marks];
+  await cancelled(another.page, 'Reading a_large.png and b_small.png', given);
   await says(another.page, 'status', /^Cancelled\. The images stay: press Run to open them\..*left_fiducials\.csv was not read: give it again\./);
   await another.page.waitForTimeout(500);
   assert.ok(await part(another.page, 'run').isVisible());
