@@ -6,6 +6,7 @@ use super::mistakes::{explain_control, tell_elsewhere};
 use super::place_names::{is_place_of_orthophoto, own_control};
 use super::points::reconstruction_options;
 use super::state::{describe, describe_with, known_images};
+use super::stated_errors::tell_stated_errors;
 use super::{BlockRun, EditedRun, OnOrthophoto};
 use crate::editing::{BlockEdit, FoundBlock, edited_model};
 use crate::error::refuse;
@@ -93,6 +94,7 @@ impl BlockRun {
         }
         explain_control(&mut model, assembly.origin, &input, options.adjustment.limit());
         tell_elsewhere(&mut model, &as_found, &found.unknown_images, &found.images, &input);
+        tell_stated_errors(&mut model, &description, &found.images, &input);
         tell_after_edits(&mut model, &before.models[0], &description);
         let by_hand = if is_linked { None } else { placed_by_hand(&model, edits, as_found.control.len(), in_crs) };
         assembly.models[0] = model;

@@ -7,6 +7,7 @@ use super::place_factors::{PlaceFactors, PlaceResidual, place_factors};
 use super::place_names::{PLACE_NAME, is_place_of_orthophoto, own_control};
 use super::points::reconstruction_options;
 use super::state::describe;
+use super::stated_errors::tell_stated_errors;
 use super::system::system_of;
 use super::{BlockRun, ControlTexts, NotLinked, OnOrthophoto, RunInput};
 use crate::crs::HeightZero;
@@ -291,6 +292,7 @@ impl<'a> Ground<'a> {
         let checked = input.clone().checked(found.geoid.as_ref())?;
         explain_control(&mut model, origin, &checked, reconstruction_options(&checked.settings).adjustment.limit());
         tell_elsewhere(&mut model, &description, &found.unknown_images, &found.images, &checked);
+        tell_stated_errors(&mut model, &description, &found.images, &checked);
         if let Some(before) = found.reconstruction.as_ref().ok().and_then(|assembly| assembly.models.first()) {
             tell_by_ground(&mut model, before, &description);
         }

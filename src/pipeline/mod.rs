@@ -43,6 +43,7 @@ mod result;
 mod run;
 mod stage;
 mod state;
+mod stated_errors;
 mod system;
 mod task;
 mod windows;

@@ -123,6 +123,9 @@ messages! {
         },
         /// A coordinate in which check points differ alike from the block: adjusted minus surveyed in the median, and the standard error of that.
         ChecksApart { axis: Axis, points: usize, difference_m: f64, error_m: f64 },
+        /// Standard errors that a table states in columns without a unit, and that cannot be m: so many in the median (`stated`). `residual_m`: residuals are
+        /// those of standard errors of so many m; absent where nothing tells that. `unit`: in which they would fit.
+        StatedErrors { observed: Observed, columns: Vec<String>, stated: f64, residual_m: Option<f64>, unit: LengthUnit },
         /// No image measurement of the points that were given is in an image of the block. `check`: all of them are check points.
         ControlElsewhere { points: usize, images: Vec<String>, check: bool },
         /// A focal length that was not known.
@@ -175,6 +178,7 @@ impl BlockWarning {
             | Self::ControlWithoutPlace { .. }
             | Self::ControlShape { .. }
             | Self::ChecksApart { .. }
+            | Self::StatedErrors { .. }
             | Self::Scale { .. }
             | Self::Degrees
             | Self::FocalUndetermined { .. }
