@@ -490,17 +490,6 @@ test('the orthophoto shows the block that lies on its ground, unless each image 
   assert.equal(chosenPlaced(reduce(both, { type: 'purpose', purpose: 'images' })).file.id, 1);
 });
 
-test('what was said of places that were found is said to be of before edits by hand, while these hold', () => {
-  const { onOrthophotoText } = page.showing;
-  const of = (/** @type {string} */ kind, /** @type {object[]} */ ...edits) =>
-    onOrthophotoText({ view: { orthophoto: { kind, inCrs: false, text: 'It lies there.' } }, edits });
-  assert.equal(of('linked'), 'It lies there.');
-  assert.equal(of('linked', { kind: 'reject_images', images: [0] }), 'Before edits by hand: It lies there.');
-  // Places by hand are counted as they are.
-  assert.equal(of('by_hand', { kind: 'reject_images', images: [0] }), 'It lies there.');
-  assert.equal(onOrthophotoText({ view: { orthophoto: null }, edits: [] }), '');
-});
-
 test('a press on the orthophoto chooses what lies there of the block, and keys go through it', () => {
   const { onOrthophoto, choiceAt, stepped, placeOfChoice } = page.block;
   const footprints = new Float64Array([505, 890, 540, 890, 540, 810, 505, 810, 535, 890, 570, 890, 570, 810, 535, 810]);

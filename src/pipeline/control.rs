@@ -150,6 +150,11 @@ impl ControlTables {
         self.points.iter().find(|row| row.name == point).map(|row| row.position)
     }
 
+    /// Names of all, those that are switched off, too.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.points.iter().map(|point| point.name.as_str())
+    }
+
     /// The standard errors of the place and of the height of a point, where the table has them.
     pub(super) fn standard_errors(&self, point: &str) -> Option<[f64; 2]> {
         self.points.iter().find(|row| row.name == point)?.standard_errors

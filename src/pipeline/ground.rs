@@ -2,6 +2,7 @@
 
 use super::focal_change::tell_by_ground;
 use super::gross_places::{GROSS, beside_neighbours, beyond};
+use super::linked_places::linked_places;
 use super::mistakes::{explain_control, tell_elsewhere};
 use super::place_factors::{PlaceFactors, PlaceResidual, place_factors};
 use super::place_names::{PLACE_NAME, is_place_of_orthophoto, own_control};
@@ -296,19 +297,7 @@ impl<'a> Ground<'a> {
         if let Some(before) = found.reconstruction.as_ref().ok().and_then(|assembly| assembly.models.first()) {
             tell_by_ground(&mut model, before, &description);
         }
-        let role = |role| self.added.iter().filter(move |row| row.role == role).map(|row| row.name.as_str());
-        let names: BTreeSet<&str> = role(Some(ControlRole::Control)).chain(role(Some(ControlRole::Check))).collect();
-        let seeing = self.measurements.iter().filter(|seen| names.contains(seen.point.as_str()));
-        let linked = seeing.map(|seen| seen.image.as_str()).collect::<BTreeSet<_>>().len();
-        let outcome = OnOrthophoto::Linked {
-            linked,
-            images: model.images.len(),
-            points: self.used(ControlRole::Control),
-            checks: self.used(ControlRole::Check),
-            rejected: role(None).count(),
-            in_crs: has_crs(&input),
-            epsg: self.epsg,
-        };
+        let outcome = linked_places(&model, &description, &checked, self.epsg);
         let confidence = found.confidences();
         let mut reconstruction = found.reconstruction.clone().unwrap_or_default();
         reconstruction.models[0] = model;

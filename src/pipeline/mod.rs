@@ -24,6 +24,7 @@ mod images;
 mod input;
 mod job;
 mod likeness;
+mod linked_places;
 mod mask_file;
 mod masks;
 mod mistakes;

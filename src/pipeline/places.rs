@@ -102,10 +102,12 @@ pub(super) fn epsg_system(code: u16) -> String {
 
 impl BlockRun {
     fn system_of_places(&self) -> Option<String> {
-        let code = match &self.orthophoto {
-            Some(OnOrthophoto::Linked { epsg, .. } | OnOrthophoto::ByHand { epsg, .. }) => *epsg,
-            Some(OnOrthophoto::NotLinked { .. }) | None => None,
+        let code = |outcome: &OnOrthophoto| match outcome {
+            OnOrthophoto::Linked { epsg, .. } | OnOrthophoto::ByHand { epsg, .. } => *epsg,
+            OnOrthophoto::NotLinked { .. } => None,
         };
+        let found = self.edited.as_ref().and_then(|edited| edited.orthophoto.as_ref());
+        let code = self.orthophoto.iter().chain(found).find_map(code);
         self.input.settings.placing.crs.clone().or(code.map(epsg_system))
     }
 }
