@@ -23,7 +23,6 @@ before(async () => {
       'block/state/naming',
       'block/state/words',
       'block/state/former',
-      'block/state/spots',
       'block/files/edit',
       'block/view/orthophoto/block',
     ]),
@@ -40,6 +39,8 @@ const view = (/** @type {string[]} */ surveyed = [], more = {}) => ({
   points: { count: 0, taking: 0, sources: new Float64Array(), rays: new Uint16Array() },
   connections: [],
   surveyed: surveyed.map((name, control) => ({ name, control })),
+  // None of them is one that edits added.
+  givenControl: 9,
   orthophoto: null,
   crs: null,
   origin: null,
@@ -431,17 +432,6 @@ test('edits of places wait through a run until the block lies on the orthophoto 
   const meanwhile = reduce(off, { type: 'edit', edits: [{ kind: 'restore_images', images: [0] }] });
   assert.equal(awaitedOf(meanwhile), null);
   assert.deepEqual(onGround(meanwhile, again).history.edits, [image, [{ kind: 'restore_images', images: [0] }]]);
-});
-
-test('places of an orthophoto are known by the names of the images that show them', () => {
-  const seen = (/** @type {number} */ image, x = 7) => ({ image, at_px: [x, 7], side_px: 100 });
-  const before = { images: ['a', 'b', 'c'], tie_points: null, given: 2, places: [{ seen: [seen(0), seen(2, 9)] }, { seen: [seen(1)] }] };
-  assert.deepEqual(page.spots.amongImages(before, [{ name: 'c' }, { name: 'a' }]), {
-    images: ['c', 'a'],
-    tie_points: null,
-    given: 2,
-    places: [{ seen: [seen(1), seen(0, 9)] }, { seen: [] }],
-  });
 });
 
 /** A block that lies on an orthophoto of 100 by 80 m, whose origin is (500, 900): two images and three of its places, one of them rejected by hand, beside a ground control point. */

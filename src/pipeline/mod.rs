@@ -7,6 +7,7 @@
 mod added_control;
 mod cameras;
 mod carried_edits;
+mod carrying;
 mod control;
 mod edited;
 mod execute;
@@ -51,6 +52,7 @@ mod windows;
 
 pub use cameras::{CameraRules, InitialCamera};
 pub use carried_edits::CarriedEdits;
+pub use carrying::{CarriedSteps, Carrying, EditNames, carried_steps};
 pub use control::ControlTables;
 pub use execute::execute;
 #[cfg(not(target_arch = "wasm32"))]
