@@ -95,6 +95,8 @@ test('places that were rejected stay so with another setting and without an imag
   const [, all, some] = /What was done to (?:(\d+) places? of the orthophoto holds where|places of the orthophoto holds for (\d+) that)/.exec(without) ?? [];
   const held = Number(all ?? some);
   assert.ok(held >= 2 && held <= REJECTED, without);
+  // Once it is adjusted with them.
+  await says(page, 'block-edit-text', /check points [\d.]+ → [\d.]+ m/);
   const fewer = counted(await onOrthophoto(page, /were rejected/));
   assert.ok(fewer.rejected >= held, JSON.stringify(fewer));
   await until(page, 'the block of five images is kept with its edits', () => isKept(page, 5, held));
