@@ -133,7 +133,16 @@ messages! {
         /// A focal length that was not known and stays so.
         FocalUndetermined { camera: NamedCamera },
         /// A focal length that the places of an orthophoto make another one than the images by themselves.
-        FocalOfGround { camera: NamedCamera, images_px: f64, images_error_px: f64, ground_px: f64, ground_error_px: f64 },
+        FocalOfGround {
+            camera: NamedCamera,
+            images_px: f64,
+            images_error_px: f64,
+            /// The standard error of a coordinate of weight 1 in it; absent in older projects.
+            #[serde(default, skip_serializing_if = "Option::is_none")]
+            images_unit_px: Option<f64>,
+            ground_px: f64,
+            ground_error_px: f64,
+        },
         /// A parameter of a camera that the block does not determine.
         ParameterFixed { camera: NamedCamera, camera_parameter: CameraParameter },
         /// Images with fewer observations than `least`.
