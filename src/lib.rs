@@ -125,9 +125,10 @@ pub use pair::{
     photo_marks,
 };
 pub use pipeline::{
-    BlockPlaces, BlockRun, CameraRules, CarriedEdits, ControlTables, ControlTexts, EditedRun, FileNeeded, GivenPosition, InitialCamera,
-    Job, JoinedPoints, News, NotLinked, OnOrthophoto, PlaceAgain, PositionTable, ReadImage, RefinedObservation, RefinementTable, Run,
-    RunImage, RunInput, SeenIn, SeenPlace, SkippedImage, StageName, Step, Task, Work, digest, execute, masks_of, measurements_of_images,
+    BlockPlaces, BlockRun, CameraRules, CarriedEdits, CarriedSteps, Carrying, ControlTables, ControlTexts, EditNames, EditedRun,
+    FileNeeded, GivenPosition, InitialCamera, Job, JoinedPoints, News, NotLinked, OnOrthophoto, PlaceAgain, PositionTable, ReadImage,
+    RefinedObservation, RefinementTable, Run, RunImage, RunInput, SeenIn, SeenPlace, SkippedImage, StageName, Step, Task, Work,
+    carried_steps, digest, execute, masks_of, measurements_of_images,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use pipeline::{images_in, replace_file, run_block};

@@ -37,6 +37,7 @@ const viewOf = (points, sigma0Px = 0.5) => ({
   oriented: 4,
   surveyed: [],
   givenControl: 0,
+  crs: null,
   sigma0Px,
   rmsePx: 0.3,
   checks: null,
@@ -451,7 +452,13 @@ test('of many edits only the one that is refused goes; those that were to follow
 
 test('a new run keeps points by hand as they stand, rejected or not', () => {
   const { carriedOver } = page.carrying;
-  const names = (/** @type {string[]} */ images, /** @type {[number, string][]} */ surveyed) => ({ images, surveyed: new Map(surveyed), connected: new Set() });
+  const names = (/** @type {string[]} */ images, /** @type {[number, string][]} */ surveyed) => ({
+    images,
+    surveyed: new Map(surveyed),
+    connected: new Set(),
+    givenControl: 5,
+    system: null,
+  });
   const place = (/** @type {number} */ image) => ({ image, x_px: 1, y_px: 2, by: 'hand' });
   const edits = [
     { kind: 'add_point', observations: [place(0), place(2)] },

@@ -10,6 +10,8 @@ mod mosaic;
 mod orthophoto;
 #[path = "coordinate_system/positions.rs"]
 mod positions;
+#[path = "coordinate_system/stated_errors.rs"]
+mod stated_errors;
 
 pub use flown::{GEOID_M, UTM, control, files, flown};
 use flown::{both, by_gnss, in_utm, numbers, run, run_of};

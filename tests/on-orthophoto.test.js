@@ -23,7 +23,6 @@ before(async () => {
       'block/state/naming',
       'block/state/words',
       'block/state/former',
-      'block/state/spots',
       'block/files/edit',
       'block/view/orthophoto/block',
     ]),
@@ -40,6 +39,8 @@ const view = (/** @type {string[]} */ surveyed = [], more = {}) => ({
   points: { count: 0, taking: 0, sources: new Float64Array(), rays: new Uint16Array() },
   connections: [],
   surveyed: surveyed.map((name, control) => ({ name, control })),
+  // None of them is one that edits added.
+  givenControl: 9,
   orthophoto: null,
   crs: null,
   origin: null,
@@ -433,17 +434,6 @@ test('edits of places wait through a run until the block lies on the orthophoto 
   assert.deepEqual(onGround(meanwhile, again).history.edits, [image, [{ kind: 'restore_images', images: [0] }]]);
 });
 
-test('places of an orthophoto are known by the names of the images that show them', () => {
-  const seen = (/** @type {number} */ image, x = 7) => ({ image, at_px: [x, 7], side_px: 100 });
-  const before = { images: ['a', 'b', 'c'], tie_points: null, given: 2, places: [{ seen: [seen(0), seen(2, 9)] }, { seen: [seen(1)] }] };
-  assert.deepEqual(page.spots.amongImages(before, [{ name: 'c' }, { name: 'a' }]), {
-    images: ['c', 'a'],
-    tie_points: null,
-    given: 2,
-    places: [{ seen: [seen(1), seen(0, 9)] }, { seen: [] }],
-  });
-});
-
 /** A block that lies on an orthophoto of 100 by 80 m, whose origin is (500, 900): two images and three of its places, one of them rejected by hand, beside a ground control point. */
 const georeference = { origin: [500, 900], by_column: [1, 0], by_row: [0, -1] };
 const onIt = (/** @type {number} */ x, /** @type {number} */ y) => ({ position: [x, y, 10], difference_m: [0, 0, 0], standard_errors_m: [null, null, null] });
@@ -488,17 +478,6 @@ test('the orthophoto shows the block that lies on its ground, unless each image 
   ].reduce(reduce, reduce(given, { type: 'purpose', purpose: 'block' }));
   assert.equal(chosenPlaced(both), null);
   assert.equal(chosenPlaced(reduce(both, { type: 'purpose', purpose: 'images' })).file.id, 1);
-});
-
-test('what was said of places that were found is said to be of before edits by hand, while these hold', () => {
-  const { onOrthophotoText } = page.showing;
-  const of = (/** @type {string} */ kind, /** @type {object[]} */ ...edits) =>
-    onOrthophotoText({ view: { orthophoto: { kind, inCrs: false, text: 'It lies there.' } }, edits });
-  assert.equal(of('linked'), 'It lies there.');
-  assert.equal(of('linked', { kind: 'reject_images', images: [0] }), 'Before edits by hand: It lies there.');
-  // Places by hand are counted as they are.
-  assert.equal(of('by_hand', { kind: 'reject_images', images: [0] }), 'It lies there.');
-  assert.equal(onOrthophotoText({ view: { orthophoto: null }, edits: [] }), '');
 });
 
 test('a press on the orthophoto chooses what lies there of the block, and keys go through it', () => {

@@ -105,6 +105,14 @@ fn outcome(block: &BlockRun) -> OnOrthophoto {
     block.orthophoto.clone().unwrap()
 }
 
+/// Places that hold a block in the system of the orthophoto, that check it, and that are rejected.
+fn counted(block: &BlockRun) -> [usize; 3] {
+    match outcome(block) {
+        OnOrthophoto::Linked { points, checks, rejected, .. } => [points, checks, rejected],
+        other => panic!("{other}"),
+    }
+}
+
 /// Errors of the projection centres in m, and by their standard errors.
 fn errors(run: &BlockRun, truth: &BlockModel) -> Vec<[(f64, f64); 3]> {
     let model = &run.reconstruction.as_ref().unwrap().models[0];
@@ -355,11 +363,21 @@ fn four_places_by_hand_hold_a_block_whose_automatic_places_are_all_rejected() {
     let places = by_hand(given, &corners(), 1.0);
     let edited = found.with_edits(&[vec![reject.clone()], places.clone()].concat()).unwrap();
     assert_eq!(used(&edited), ["orthophoto_hand_1", "orthophoto_hand_2", "orthophoto_hand_3", "orthophoto_hand_4"]);
-    assert_eq!(outcome(&edited), outcome(&found));
+    // What is said of the orthophoto is counted anew.
+    let [points, checks, rejected] = counted(&found);
+    assert_eq!(counted(&edited), [4, 0, points + checks + rejected]);
     holds(&edited, &found.with_edits(&[vec![reject.clone()], by_hand(given, &corners(), 0.0)].concat()).unwrap());
     // Without them the block would float, and beside the automatic ones they take part as any.
-    assert!(used(&found.with_edits(std::slice::from_ref(&reject)).unwrap()).is_empty());
+    let without = found.with_edits(std::slice::from_ref(&reject)).unwrap();
+    let floats = matches!(outcome(&without), OnOrthophoto::NotLinked { not_linked: NotLinked::FewPoints { points: 0, .. } });
+    assert!(used(&without).is_empty() && floats, "{}", outcome(&without));
     let beside = found.with_edits(&places).unwrap();
+    assert_eq!(counted(&beside), [points + 4, checks, rejected]);
+    let some = BlockEdit::RejectPoints { points: vec![PointSource::GroundControl(0), PointSource::GroundControl(1)] };
+    let fewer = found.with_edits(std::slice::from_ref(&some)).unwrap();
+    let [fewer_points, fewer_checks, more] = counted(&fewer);
+    assert_eq!((fewer_points + fewer_checks + 2, more), (points + checks, rejected + 2));
+    assert_eq!(fewer.found(), found);
     let all = used(&beside);
     assert!(all.len() > 40 && all.contains(&"orthophoto_hand_4".to_string()), "{all:?}");
     let better = errors(&beside, &flown().scene.truth());

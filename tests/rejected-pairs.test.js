@@ -137,7 +137,7 @@ test('rejected pairs hold after a new run, by the names of their images', () => 
     ],
     done: 2,
   };
-  const names = (/** @type {string[]} */ images) => ({ images, surveyed: new Map(), connected: new Set(['0,1']) });
+  const names = (/** @type {string[]} */ images) => ({ images, surveyed: new Map(), connected: new Set(['0,1']), givenControl: 0, system: null });
   const { history: after, lost } = page.carrying.carriedOver(history, names(NAMES), names(['c', 'b', 'x']));
   assert.deepEqual([after, lost], [{ edits: [[{ kind: 'reject_pairs', pairs: [[1, 0]] }]], done: 1 }, 1]);
 });

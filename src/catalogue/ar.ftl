@@ -632,6 +632,20 @@ block-warning-checks-apart =
         [z] هل تُحسب ارتفاعاتها من صفر آخر، كالمجسم الإهليلجي أو مستوى سطح البحر، أو من موضع آخر من العلامات؟
        *[other] هل هي في نظام إحداثيات مرجعي آخر؟
     }
+block-warning-stated-errors =
+    { $columns_count ->
+        [one] يذكر العمود
+       *[other] تذكر الأعمدة
+    } { $columns } من جدول { $observed } أخطاء معيارية وسيطها { SIGNIFICANT($stated, digits: 2) }، وتُحسب أمتارًا{ $residual_m ->
+        [none] {""}
+       *[other] ، مع أن البواقي بواقي أخطاء معيارية قدرها { SIGNIFICANT($residual_m, digits: 2) } م
+    }: فلا يكاد يكون لها وزن. إن كانت الأعداد بوحدة { $unit } فاكتب ذلك بعد { $columns_count ->
+        [one] اسم العمود
+       *[other] أسماء الأعمدة
+    }: { $unit ->
+        [millimetres] (mm)
+       *[other] (cm)
+    }.
 block-warning-control-elsewhere =
     لا يقع أي قياس صوري { $check ->
         [true] لنقاط التحقق

@@ -1107,6 +1107,23 @@ block-warning-checks-apart =
         [z] do their heights count from another zero, such as the ellipsoid or sea level, or from another point of the marks?
        *[other] are they in another coordinate reference system?
     }
+block-warning-stated-errors =
+    { $columns_count ->
+        [one] The column
+       *[other] The columns
+    } { $columns } of the { $observed } { $columns_count ->
+        [one] gives
+       *[other] give
+    } standard errors of { SIGNIFICANT($stated, digits: 2) } in the median, taken as metres{ $residual_m ->
+        [none] {""}
+       *[other] , though residuals are those of { SIGNIFICANT($residual_m, digits: 2) } m
+    }: the { $observed } hardly count. If the numbers are in { $unit }, write that behind the { $columns_count ->
+        [one] name of the column
+       *[other] names of the columns
+    }: { $unit ->
+        [millimetres] (mm)
+       *[other] (cm)
+    }.
 block-warning-control-elsewhere =
     No image measurement of the { $points ->
         [one] { $check ->

@@ -10,4 +10,4 @@ mod rejected_pairs;
 pub(crate) use apply::{FoundBlock, edited_model, in_edit};
 pub use edit::{BlockEdit, HandMeasurement, MeasuredBy, PointImage};
 pub use pair_edit::{EditedMatch, PairEdit};
-pub(crate) use rejected_pairs::rejected_pairs;
+pub(crate) use rejected_pairs::{ascending, rejected_pairs};

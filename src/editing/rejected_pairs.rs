@@ -27,7 +27,8 @@ pub(super) fn sort_pairs(rejected: &mut ImagePairs, edit: &BlockEdit) {
     }
 }
 
-pub(super) fn ascending([a, b]: [usize; 2]) -> [usize; 2] {
+/// A pair of images in the order of their indices.
+pub(crate) fn ascending([a, b]: [usize; 2]) -> [usize; 2] {
     [a.min(b), a.max(b)]
 }
 

@@ -2,6 +2,7 @@
 
 use super::columns::UnreadColumns;
 use super::control_columns::{Columns, Layout, Unit, meanings, named};
+use super::error_columns::ErrorColumns;
 use crate::error::refuse;
 use crate::text::{Records, Row, records, shorten, table};
 use crate::{ControlRole, Error, Input, Refusal};
@@ -112,6 +113,17 @@ pub(crate) fn stated_units(text: &str) -> Result<Vec<StatedUnit>, Error> {
     let Layout { columns, names, .. } = Layout::of(&records)?;
     let [x, y, z] = columns.position;
     Ok(names.map(|names| StatedUnit::of(&names, [x, y], Some(z))).unwrap_or_default())
+}
+
+/// The columns of standard errors that say no unit.
+///
+/// # Errors
+/// As [`parse_ground_control_points`].
+pub(crate) fn error_columns(text: &str) -> Result<ErrorColumns, Error> {
+    let records = records(Input::ControlTable, text)?;
+    let Layout { columns, names, .. } = Layout::of(&records)?;
+    let (across, up) = columns.standard_errors.unzip();
+    Ok(ErrorColumns::of(names.as_ref(), across, up))
 }
 
 fn read_point(

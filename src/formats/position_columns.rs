@@ -3,6 +3,7 @@
 use super::columns::{IMAGES, UnreadColumns, letters, others, without_unit};
 use super::control::StatedUnit;
 use super::control_columns::{Column, Coordinates, check_unit, coordinates_of, is_ellipsoidal, meaning_of, meanings, names_of, unit_m};
+use super::error_columns::ErrorColumns;
 use super::hemispheres::Axis;
 use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
@@ -157,6 +158,11 @@ impl PositionColumns {
     /// The units of length that names of columns of coordinates have.
     pub fn stated_units(&self, head: &StringRecord) -> Vec<StatedUnit> {
         StatedUnit::of(head, self.place, self.height)
+    }
+
+    /// The columns of standard errors that say no unit.
+    pub fn error_columns(&self, head: Option<&StringRecord>) -> ErrorColumns {
+        ErrorColumns::of(head, self.across, self.up)
     }
 }
 

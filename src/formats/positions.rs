@@ -3,6 +3,7 @@
 use super::columns::UnreadColumns;
 use super::control::StatedUnit;
 use super::control_columns::{Coordinates, units};
+use super::error_columns::ErrorColumns;
 use super::hemispheres::{Axis, on_side};
 use super::position_columns::PositionColumns;
 use super::system_line::SystemLine;
@@ -71,6 +72,8 @@ pub(crate) struct PositionHead {
     pub unread: UnreadColumns,
     /// Units that columns of coordinates have in their names.
     pub stated_units: Vec<StatedUnit>,
+    /// Columns of standard errors that say no unit.
+    pub error_columns: ErrorColumns,
     /// Images at longitude 0 and latitude 0, as the table names them.
     pub nowhere: Vec<String>,
     /// The coordinate system that the table names for itself.
@@ -86,7 +89,8 @@ pub(crate) fn position_head(text: &str) -> Result<PositionHead, Error> {
     let (head, columns) = (table.head.as_ref(), &table.columns);
     let stated_units = head.map(|head| columns.stated_units(head)).unwrap_or_default();
     let (_, nowhere) = table.positions()?;
-    Ok(PositionHead { unread: columns.unread(table.rows(), head), stated_units, nowhere, system: table.system.clone() })
+    let (unread, error_columns) = (columns.unread(table.rows(), head), columns.error_columns(head));
+    Ok(PositionHead { unread, stated_units, error_columns, nowhere, system: table.system.clone() })
 }
 
 struct Table {

@@ -1,11 +1,12 @@
 //! Edits of a block on an orthophoto, carried to the same block once it is placed anew: those of places hold where the places lie again.
 
 use super::BlockRun;
-use super::places::{BlockPlaces, PlaceAgain, epsg_system};
+use super::carrying::{Carrying, EditNames, carried_steps};
+use super::place_names::PLACE_NAME;
+use super::places::BlockPlaces;
 use crate::error::refuse;
-use crate::{BlockEdit, Error, PointImage, PointSource, Refusal};
+use crate::{BlockEdit, Connection, Error, PairOutcome, Refusal};
 use serde::Serialize;
-use std::collections::{BTreeMap, BTreeSet};
 
 /// Edits that hold of a block that was placed anew.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -31,113 +32,27 @@ impl BlockRun {
         if !now.is_of_block(before) {
             return refuse(Refusal::EditsOfOtherBlock);
         }
-        Ok(carried(before, &now, edits))
+        Ok(carried(before, &now, &self.connections, edits))
     }
 }
 
-fn carried(before: &BlockPlaces, now: &BlockPlaces, edits: &[BlockEdit]) -> CarriedEdits {
-    let again = now.again(before).into_iter().map(|one| (one.before, one)).collect();
-    let (measured, held, lost) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
-    let mut carrier = Carrier { before, now, again, measured, added: Vec::new(), held, lost };
-    let edits = edits.iter().filter_map(|edit| carrier.carried(edit)).collect();
-    CarriedEdits { edits, held: carrier.held.len(), lost: carrier.lost.len() }
-}
-
-struct Carrier<'a> {
-    before: &'a BlockPlaces,
-    now: &'a BlockPlaces,
-    /// By their numbers before.
-    again: BTreeMap<usize, PlaceAgain>,
-    /// Observations of places that edits add: of which number before, and in which image.
-    measured: BTreeSet<(usize, usize)>,
-    /// Of the surveyed points that edits add, their numbers now; absent for those that do not hold.
-    added: Vec<Option<usize>>,
-    /// Numbers of places before.
-    held: BTreeSet<usize>,
-    lost: BTreeSet<usize>,
-}
-
-impl Carrier<'_> {
-    fn carried(&mut self, edit: &BlockEdit) -> Option<BlockEdit> {
-        match edit {
-            BlockEdit::RejectPoints { points } => self.points(points).map(|points| BlockEdit::RejectPoints { points }),
-            BlockEdit::RestorePoints { points } => self.points(points).map(|points| BlockEdit::RestorePoints { points }),
-            BlockEdit::RejectObservations { observations } => {
-                self.observations(observations).map(|observations| BlockEdit::RejectObservations { observations })
-            }
-            BlockEdit::RestoreObservations { observations } => {
-                self.observations(observations).map(|observations| BlockEdit::RestoreObservations { observations })
-            }
-            BlockEdit::Measure { point, image, x_px, y_px, by } => {
-                let point = self.point(*point, |again, _| again.is_same_spot)?;
-                if let BlockEdit::Measure { point: PointSource::GroundControl(number), .. } = edit {
-                    self.measured.insert((*number, *image));
-                }
-                Some(BlockEdit::Measure { point, image: *image, x_px: *x_px, y_px: *y_px, by: *by })
-            }
-            BlockEdit::SetUse { point, role } => match self.point(PointSource::GroundControl(*point), |_, _| true)? {
-                PointSource::GroundControl(point) => Some(BlockEdit::SetUse { point, role: *role }),
-                PointSource::TiePoint(_) | PointSource::Manual(_) => None,
-            },
-            BlockEdit::RejectImages { .. }
-            | BlockEdit::RestoreImages { .. }
-            | BlockEdit::RejectPairs { .. }
-            | BlockEdit::RestorePairs { .. }
-            | BlockEdit::AddPoint { .. } => Some(edit.clone()),
-            BlockEdit::AddControl { epsg, .. } => {
-                let number = self.before.surveyed() + self.added.len();
-                let holds = self.is_in_system_now(*epsg);
-                self.added.push(holds.then(|| self.now.surveyed() + self.added.iter().flatten().count()));
-                if !holds {
-                    self.lost.insert(number);
-                }
-                holds.then(|| edit.clone())
-            }
-        }
-    }
-
-    /// Whether coordinates are of the system that the block has now, as far as both are known.
-    fn is_in_system_now(&self, epsg: Option<u16>) -> bool {
-        let own = self.before.system.clone().or(epsg.map(epsg_system));
-        own.as_ref().zip(self.now.system.as_ref()).is_none_or(|(own, now)| own == now)
-    }
-
-    fn points(&mut self, points: &[PointSource]) -> Option<Vec<PointSource>> {
-        let held: Vec<PointSource> = points.iter().filter_map(|point| self.point(*point, |_, _| true)).collect();
-        (!held.is_empty()).then_some(held)
-    }
-
-    fn observations(&mut self, observations: &[PointImage]) -> Option<Vec<PointImage>> {
-        let one = |PointImage { point, image }: &PointImage| {
-            let is_seen = |again: &PlaceAgain, measured: &BTreeSet<(usize, usize)>| {
-                again.images.binary_search(image).is_ok() || measured.contains(&(again.before, *image))
-            };
-            Some(PointImage { point: self.point(*point, is_seen)?, image: *image })
-        };
-        let held: Vec<PointImage> = observations.iter().filter_map(one).collect();
-        (!held.is_empty()).then_some(held)
-    }
-
-    /// What a point is now; `holds`: whether what is done to a place that lies there again holds.
-    fn point(&mut self, point: PointSource, holds: impl FnOnce(&PlaceAgain, &BTreeSet<(usize, usize)>) -> bool) -> Option<PointSource> {
-        let PointSource::GroundControl(number) = point else { return Some(point) };
-        if number < self.before.given {
-            return Some(point);
-        }
-        if let Some(added) = number.checked_sub(self.before.surveyed()) {
-            return self.added.get(added).copied().flatten().map(PointSource::GroundControl);
-        }
-        match self.again.get(&number).filter(|again| holds(again, &self.measured)) {
-            Some(again) => {
-                self.held.insert(number);
-                Some(PointSource::GroundControl(again.now))
-            }
-            None => {
-                self.lost.insert(number);
-                None
-            }
-        }
-    }
+fn carried(before: &BlockPlaces, now: &BlockPlaces, connections: &[Connection], edits: &[BlockEdit]) -> CarriedEdits {
+    let matched = connections.iter().filter(|pair| matches!(pair.outcome, PairOutcome::Connected { .. }));
+    let connected: Vec<[usize; 2]> = matched.map(|pair| pair.images.map(|image| image as usize)).collect();
+    let names = |of: &BlockPlaces| EditNames {
+        images: of.images.clone(),
+        // Given points are the same ones, and places are what lies where they lay, whatever they are called.
+        surveyed: (0..of.surveyed())
+            .map(|number| (number, format!("{}{number}", if number < of.given { "" } else { PLACE_NAME })))
+            .collect(),
+        connected: connected.clone(),
+        found: of.surveyed(),
+        system: of.system.clone(),
+    };
+    let steps: Vec<Vec<BlockEdit>> = edits.iter().map(|edit| vec![edit.clone()]).collect();
+    let (done, again) = (steps.len(), now.again(before));
+    let carried = carried_steps(&Carrying { steps, done, before: names(before), after: names(now), same_tie_points: true, again });
+    CarriedEdits { edits: carried.steps.concat(), held: carried.places_held, lost: carried.places_lost }
 }
 
 #[cfg(test)]
@@ -167,12 +82,12 @@ mod tests {
         let edits = [add("old", Some(25_832)), add("new", Some(25_833)), set_use(2), set_use(3)];
         let now = block(Some("EPSG:25833"), 4);
         // Where nothing is known of the block, the code of the place says what its coordinates are.
-        let of_places = carried(&block(None, 2), &now, &edits);
+        let of_places = carried(&block(None, 2), &now, &[], &edits);
         assert_eq!(of_places, CarriedEdits { edits: vec![add("new", Some(25_833)), set_use(4)], held: 0, lost: 1 });
-        assert_eq!(carried(&block(Some("EPSG:25832"), 2), &now, &edits), CarriedEdits { edits: Vec::new(), held: 0, lost: 2 });
+        assert_eq!(carried(&block(Some("EPSG:25832"), 2), &now, &[], &edits), CarriedEdits { edits: Vec::new(), held: 0, lost: 2 });
         let alike = [vec![add("old", Some(25_832)), add("new", Some(25_833))], vec![set_use(4), set_use(5)]].concat();
         for (own, now) in [(Some("EPSG:25833"), now), (None, block(None, 4))] {
-            assert_eq!(carried(&block(own, 2), &now, &edits), CarriedEdits { edits: alike.clone(), held: 0, lost: 0 });
+            assert_eq!(carried(&block(own, 2), &now, &[], &edits), CarriedEdits { edits: alike.clone(), held: 0, lost: 0 });
         }
     }
 }

@@ -4,7 +4,7 @@ use super::named_images::NamedImages;
 use super::system::{check_stated_units, looks_like_degrees, system_of, units_of, with_unit};
 use crate::crs::{CoordinateSystem, HeightZero};
 use crate::error::refuse;
-use crate::formats::{StatedUnit, UnreadColumns, points_without_coordinates, stated_units, unread_columns};
+use crate::formats::{ErrorColumns, StatedUnit, UnreadColumns, error_columns, points_without_coordinates, stated_units, unread_columns};
 use crate::{
     BlockDescription, ControlRole, Error, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
     ImageObservation, Input, KnownCamera, KnownImage, ObservedPosition, Refusal, parse_ground_control_points, parse_image_measurements,
@@ -28,6 +28,8 @@ pub struct ControlTables {
     pub(super) without_coordinates: Vec<String>,
     /// Units that columns of coordinates have in their names.
     stated_units: Vec<StatedUnit>,
+    /// Columns of standard errors that say no unit.
+    pub(super) error_columns: ErrorColumns,
 }
 
 impl ControlTables {
@@ -36,10 +38,10 @@ impl ControlTables {
     /// # Errors
     /// As [`parse_ground_control_points`] and [`parse_image_measurements`].
     pub fn read(points: &str, marks: &str) -> Result<Self, Error> {
-        let (unread_columns, stated_units) = (unread_columns(points)?, stated_units(points)?);
+        let (unread_columns, stated_units, error_columns) = (unread_columns(points)?, stated_units(points)?, error_columns(points)?);
         let without_coordinates = points_without_coordinates(points)?;
         let (points, marks) = (parse_ground_control_points(points)?, parse_image_measurements(marks)?);
-        Ok(Self { points, marks, unread_columns, without_coordinates, stated_units })
+        Ok(Self { points, marks, unread_columns, without_coordinates, stated_units, error_columns })
     }
 
     /// Refuses, before the images are read, what a run of images with these names would refuse. Before there is a block, the images that the
@@ -146,6 +148,16 @@ impl ControlTables {
     /// The coordinates of a point as they were written.
     pub(super) fn coordinates(&self, point: &str) -> Option<[f64; 3]> {
         self.points.iter().find(|row| row.name == point).map(|row| row.position)
+    }
+
+    /// Names of all, those that are switched off, too.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.points.iter().map(|point| point.name.as_str())
+    }
+
+    /// The standard errors of the place and of the height of a point, where the table has them.
+    pub(super) fn standard_errors(&self, point: &str) -> Option<[f64; 2]> {
+        self.points.iter().find(|row| row.name == point)?.standard_errors
     }
 
     /// Refuses degrees where the coordinate system has metres.

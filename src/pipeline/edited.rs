@@ -2,10 +2,12 @@
 
 use super::added_control::added_control;
 use super::focal_change::tell_after_edits;
+use super::linked_places::linked_places;
 use super::mistakes::{explain_control, tell_elsewhere};
 use super::place_names::{is_place_of_orthophoto, own_control};
 use super::points::reconstruction_options;
 use super::state::{describe, describe_with, known_images};
+use super::stated_errors::tell_stated_errors;
 use super::{BlockRun, EditedRun, OnOrthophoto};
 use crate::editing::{BlockEdit, FoundBlock, edited_model};
 use crate::error::refuse;
@@ -26,9 +28,10 @@ impl BlockRun {
         let Some(found) = &self.edited else { return self.clone() };
         let mut remarks = self.remarks.clone();
         remarks.retain(|remark| *remark != Remark::UnsupportedEdits && !found.remarks.contains(remark));
-        let orthophoto = match &self.orthophoto {
-            Some(OnOrthophoto::ByHand { .. }) => found.orthophoto.clone(),
-            other => other.clone(),
+        let orthophoto = match (&found.orthophoto, &self.orthophoto) {
+            (None, Some(OnOrthophoto::ByHand { .. })) => None,
+            (None, other) => other.clone(),
+            (before, _) => before.clone(),
         };
         Self {
             reconstruction: Ok(found.reconstruction.clone()),
@@ -61,8 +64,11 @@ impl BlockRun {
         let further: Vec<GroundControlRow> = added_control(edits).collect();
         let (description, _) = describe_with(&input, &further, &found.images, &found.cameras)?;
         // Places of an orthophoto were judged when the block was linked to it.
-        let is_linked = matches!(found.orthophoto, Some(OnOrthophoto::Linked { .. }));
-        let tested_control = is_linked.then(|| own_control(&as_found));
+        let linked = match &found.orthophoto {
+            Some(OnOrthophoto::Linked { epsg, .. }) => Some(*epsg),
+            Some(OnOrthophoto::ByHand { .. } | OnOrthophoto::NotLinked { .. }) | None => None,
+        };
+        let tested_control = linked.map(|_| own_control(&as_found));
         let options = ReconstructionOptions { tested_control, ..reconstruction_options(&input.settings) };
         let alone = known_images(&input, &found.images, |_| true);
         let in_crs = input.settings.placing.crs.is_some();
@@ -93,19 +99,27 @@ impl BlockRun {
         }
         explain_control(&mut model, assembly.origin, &input, options.adjustment.limit());
         tell_elsewhere(&mut model, &as_found, &found.unknown_images, &found.images, &input);
+        tell_stated_errors(&mut model, &description, &found.images, &input);
         tell_after_edits(&mut model, &before.models[0], &description);
-        let by_hand = if is_linked { None } else { placed_by_hand(&model, edits, as_found.control.len(), in_crs) };
+        let placed = match linked {
+            Some(epsg) => Some(linked_places(&model, &description, &input, epsg)),
+            None => placed_by_hand(&model, edits, as_found.control.len(), in_crs),
+        };
         assembly.models[0] = model;
         assembly.unoriented.extend(edited.unoriented);
         assembly.unoriented.sort_by_key(|unoriented| unoriented.image);
         let written = assembly.block_model_with(0, &description, |point| confidence.get(&point).copied().unwrap_or(1.0))?;
-        let kept = by_hand.is_some().then(|| found.orthophoto.clone()).flatten();
         let said = remarks_of_places(edits, &found.remarks);
         let mut remarks = [found.remarks.as_slice(), said.as_slice()].concat();
-        let record =
-            EditedRun { edits: edits.to_vec(), reconstruction: before, model: found.model.clone(), orthophoto: kept, remarks: said };
+        let orthophoto = placed.or_else(|| found.orthophoto.clone());
+        let record = EditedRun {
+            edits: edits.to_vec(),
+            reconstruction: before,
+            model: found.model.clone(),
+            orthophoto: found.orthophoto.clone().filter(|before| orthophoto.as_ref() != Some(before)),
+            remarks: said,
+        };
         remarks.extend(is_unsupported.then_some(Remark::UnsupportedEdits));
-        let orthophoto = by_hand.or_else(|| found.orthophoto.clone());
         Ok(Self { reconstruction: Ok(assembly), model: written, edited: Some(Box::new(record)), remarks, orthophoto, ..found })
     }
 }

@@ -2,11 +2,13 @@
 
 use super::focal_change::tell_by_ground;
 use super::gross_places::{GROSS, beside_neighbours, beyond};
+use super::linked_places::linked_places;
 use super::mistakes::{explain_control, tell_elsewhere};
 use super::place_factors::{PlaceFactors, PlaceResidual, place_factors};
 use super::place_names::{PLACE_NAME, is_place_of_orthophoto, own_control};
 use super::points::reconstruction_options;
 use super::state::describe;
+use super::stated_errors::tell_stated_errors;
 use super::system::system_of;
 use super::{BlockRun, ControlTexts, NotLinked, OnOrthophoto, RunInput};
 use crate::crs::HeightZero;
@@ -291,22 +293,11 @@ impl<'a> Ground<'a> {
         let checked = input.clone().checked(found.geoid.as_ref())?;
         explain_control(&mut model, origin, &checked, reconstruction_options(&checked.settings).adjustment.limit());
         tell_elsewhere(&mut model, &description, &found.unknown_images, &found.images, &checked);
+        tell_stated_errors(&mut model, &description, &found.images, &checked);
         if let Some(before) = found.reconstruction.as_ref().ok().and_then(|assembly| assembly.models.first()) {
             tell_by_ground(&mut model, before, &description);
         }
-        let role = |role| self.added.iter().filter(move |row| row.role == role).map(|row| row.name.as_str());
-        let names: BTreeSet<&str> = role(Some(ControlRole::Control)).chain(role(Some(ControlRole::Check))).collect();
-        let seeing = self.measurements.iter().filter(|seen| names.contains(seen.point.as_str()));
-        let linked = seeing.map(|seen| seen.image.as_str()).collect::<BTreeSet<_>>().len();
-        let outcome = OnOrthophoto::Linked {
-            linked,
-            images: model.images.len(),
-            points: self.used(ControlRole::Control),
-            checks: self.used(ControlRole::Check),
-            rejected: role(None).count(),
-            in_crs: has_crs(&input),
-            epsg: self.epsg,
-        };
+        let outcome = linked_places(&model, &description, &checked, self.epsg);
         let confidence = found.confidences();
         let mut reconstruction = found.reconstruction.clone().unwrap_or_default();
         reconstruction.models[0] = model;

@@ -7,6 +7,7 @@
 mod added_control;
 mod cameras;
 mod carried_edits;
+mod carrying;
 mod control;
 mod edited;
 mod execute;
@@ -24,6 +25,7 @@ mod images;
 mod input;
 mod job;
 mod likeness;
+mod linked_places;
 mod mask_file;
 mod masks;
 mod mistakes;
@@ -43,12 +45,14 @@ mod result;
 mod run;
 mod stage;
 mod state;
+mod stated_errors;
 mod system;
 mod task;
 mod windows;
 
 pub use cameras::{CameraRules, InitialCamera};
 pub use carried_edits::CarriedEdits;
+pub use carrying::{CarriedSteps, Carrying, EditNames, carried_steps};
 pub use control::ControlTables;
 pub use execute::execute;
 #[cfg(not(target_arch = "wasm32"))]

@@ -102,10 +102,12 @@ pub(super) fn epsg_system(code: u16) -> String {
 
 impl BlockRun {
     fn system_of_places(&self) -> Option<String> {
-        let code = match &self.orthophoto {
-            Some(OnOrthophoto::Linked { epsg, .. } | OnOrthophoto::ByHand { epsg, .. }) => *epsg,
-            Some(OnOrthophoto::NotLinked { .. }) | None => None,
+        let code = |outcome: &OnOrthophoto| match outcome {
+            OnOrthophoto::Linked { epsg, .. } | OnOrthophoto::ByHand { epsg, .. } => *epsg,
+            OnOrthophoto::NotLinked { .. } => None,
         };
+        let found = self.edited.as_ref().and_then(|edited| edited.orthophoto.as_ref());
+        let code = self.orthophoto.iter().chain(found).find_map(code);
         self.input.settings.placing.crs.clone().or(code.map(epsg_system))
     }
 }
@@ -122,11 +124,12 @@ impl BlockPlaces {
         self.images == other.images && joined_alike && self.given == other.given
     }
 
-    /// Of each place that the block had before and that has one where it lay, which that is: the nearest to it within half a square, to which it is the nearest one, in images that show both. They are in the order in which they were
+    /// Of each place that a block had before and that has one where it lay, which that is: the nearest to it within half a square, to which it is the nearest one, in images of the same names that show both. They are in the order in which they were
     /// numbered before. Neither systems nor names of the orthophotos matter.
     #[must_use]
     pub fn again(&self, before: &Self) -> Vec<PlaceAgain> {
-        let (onto, back) = (nearest(&before.places, &self.places), nearest(&self.places, &before.places));
+        let former = before.seen_in(&self.images);
+        let (onto, back) = (nearest(&former, &self.places), nearest(&self.places, &former));
         let mutual = onto.iter().enumerate().filter_map(|(former, found)| {
             let (now, apart_px) = (*found)?;
             (back[now]?.0 == former).then_some((former, now, apart_px))
@@ -137,6 +140,13 @@ impl BlockPlaces {
             PlaceAgain { before: before.given + former, now: self.given + now, is_same_spot: apart_px <= ONE_SPOT_PX, images }
         });
         again.collect()
+    }
+
+    /// Its places in the images that another block has, by their indices there; one that none of them shows is seen nowhere.
+    fn seen_in(&self, images: &[String]) -> Vec<SeenPlace> {
+        let indices: BTreeMap<&String, usize> = images.iter().enumerate().map(|(index, name)| (name, index)).collect();
+        let there = |seen: &SeenIn| Some(SeenIn { image: *indices.get(self.images.get(seen.image)?)?, ..*seen });
+        self.places.iter().map(|place| SeenPlace { seen: place.seen.iter().filter_map(there).collect() }).collect()
     }
 }
 
@@ -197,6 +207,9 @@ mod tests {
         let before = places(0, &[&[(0, 100.0), (1, 100.0)], &[(0, 140.0), (1, 140.0)]]);
         let now = places(0, &[&[(0, 130.0), (1, 130.0)]]);
         assert_eq!(now.again(&before).iter().map(|one| (one.before, one.now)).collect::<Vec<_>>(), [(1, 0)]);
+        // In a block without the first image, the others of which are other ones by their indices.
+        let others = BlockPlaces { images: vec!["c".into(), "b".into()], ..places(0, &[&[(1, 110.0)]]) };
+        assert_eq!(others.again(&before).iter().map(|one| (one.before, one.images.clone())).collect::<Vec<_>>(), [(0, vec![1])]);
         // Without an image in common nothing says that they are one.
         assert!(places(0, &[&[(2, 100.0)]]).again(&before).is_empty());
     }

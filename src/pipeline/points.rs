@@ -5,6 +5,7 @@ use super::job::{Done, StageName, Work};
 use super::mistakes::{explain_control, tell_elsewhere};
 use super::stage::{Request, Stage};
 use super::state::State;
+use super::stated_errors::tell_stated_errors;
 use crate::{
     AdjustmentOptions, BlockMatches, BlockModel, BlockSettings, Error, Failure, Reconstruction, ReconstructionOptions, TiePoints,
     reconstruct_block, select_points, shared_points, tie_points,
@@ -113,6 +114,7 @@ fn orient(state: &mut State) -> Result<(), Error> {
         for model in &mut reconstruction.models {
             explain_control(model, origin, &state.input, options.adjustment.limit());
             tell_elsewhere(model, &state.description, &state.unknown_images, &state.images, &state.input);
+            tell_stated_errors(model, &state.description, &state.images, &state.input);
         }
         let model = reconstruction.models.first().map(|_| reconstruction.block_model(0, &state.description, &state.points)).transpose()?;
         Ok((reconstruction, model))

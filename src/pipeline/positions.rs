@@ -4,7 +4,7 @@ use super::named_images::{Meant, NamedImages};
 use super::system::{check_stated_units, looks_like_degrees, system_of, units_of};
 use crate::crs::{CoordinateSystem, Definition, HeightZero};
 use crate::error::refuse;
-use crate::formats::{PositionHead, SystemLine, UnreadColumns, position_head};
+use crate::formats::{ErrorColumns, PositionHead, SystemLine, UnreadColumns, position_head};
 use crate::text::shorten;
 use crate::{
     Error, ExifPosition, GeoreferencingOptions, ImagePositionRow, ImagePositions, ImpossiblePosition, Input, Refusal, Remark,
@@ -146,6 +146,11 @@ impl PositionTable {
         };
         let position = ExifPosition { longitude_deg, latitude_deg, height_m: height.map(|_| height_m), error_m: None };
         Ok(GivenPosition { position, standard_errors_m: standard_errors, in_crs: system.is_some() })
+    }
+
+    /// The columns of standard errors that say no unit.
+    pub(super) fn error_columns(&self) -> &ErrorColumns {
+        &self.head.error_columns
     }
 
     /// What is to be said of the table beside images with these names: columns that are not understood, rows of other images.

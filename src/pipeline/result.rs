@@ -70,7 +70,7 @@ pub struct EditedRun {
     pub edits: Vec<BlockEdit>,
     pub reconstruction: Reconstruction,
     pub model: BlockModel,
-    /// What had come of the orthophoto, where edits brought the block into the system of one.
+    /// What had come of the orthophoto, where edits made something else of it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orthophoto: Option<OnOrthophoto>,
     /// What is to be said of places of an orthophoto that edits added, beside what was said of the block before.

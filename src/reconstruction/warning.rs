@@ -123,6 +123,9 @@ messages! {
         },
         /// A coordinate in which check points differ alike from the block: adjusted minus surveyed in the median, and the standard error of that.
         ChecksApart { axis: Axis, points: usize, difference_m: f64, error_m: f64 },
+        /// Standard errors that a table states in columns without a unit, and that cannot be m: so many in the median (`stated`). `residual_m`: residuals are
+        /// those of standard errors of so many m; absent where nothing tells that. `unit`: in which they would fit.
+        StatedErrors { observed: Observed, columns: Vec<String>, stated: f64, residual_m: Option<f64>, unit: LengthUnit },
         /// No image measurement of the points that were given is in an image of the block. `check`: all of them are check points.
         ControlElsewhere { points: usize, images: Vec<String>, check: bool },
         /// A focal length that was not known.
@@ -130,7 +133,16 @@ messages! {
         /// A focal length that was not known and stays so.
         FocalUndetermined { camera: NamedCamera },
         /// A focal length that the places of an orthophoto make another one than the images by themselves.
-        FocalOfGround { camera: NamedCamera, images_px: f64, images_error_px: f64, ground_px: f64, ground_error_px: f64 },
+        FocalOfGround {
+            camera: NamedCamera,
+            images_px: f64,
+            images_error_px: f64,
+            /// The standard error of a coordinate of weight 1 in it; absent in older projects.
+            #[serde(default, skip_serializing_if = "Option::is_none")]
+            images_unit_px: Option<f64>,
+            ground_px: f64,
+            ground_error_px: f64,
+        },
         /// A parameter of a camera that the block does not determine.
         ParameterFixed { camera: NamedCamera, camera_parameter: CameraParameter },
         /// Images with fewer observations than `least`.
@@ -175,6 +187,7 @@ impl BlockWarning {
             | Self::ControlWithoutPlace { .. }
             | Self::ControlShape { .. }
             | Self::ChecksApart { .. }
+            | Self::StatedErrors { .. }
             | Self::Scale { .. }
             | Self::Degrees
             | Self::FocalUndetermined { .. }

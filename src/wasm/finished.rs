@@ -2,9 +2,10 @@
 
 use super::convert::{Bytes, JsResult, Number, emitting, numbers, object, pack, read, set, thrown, whole, wrong_project};
 use crate::{
-    BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockPlaces, BlockRun, BlockScore, ExportFormat, FileFault, ImagePoint,
-    ObservationPart, PointColumns, Project, accuracy_map, block_covariances, block_epipolar_line, check_truth, covariance_table,
-    export_block, image_points, planned_files as plan, point_detail, point_ids, read_project, score_block, write_block_project,
+    BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockPlaces, BlockRun, BlockScore, Carrying, ExportFormat, FileFault, ImagePoint,
+    ObservationPart, PointColumns, Project, accuracy_map, block_covariances, block_epipolar_line, carried_steps as steps_carried,
+    check_truth, covariance_table, export_block, image_points, planned_files as plan, point_detail, point_ids, read_project, score_block,
+    write_block_project,
 };
 use js_sys::{Function, Uint8Array, Uint16Array, Uint32Array};
 use std::rc::Rc;
@@ -61,6 +62,12 @@ export interface AccuracyFiles {
     summary: AccuracySummary;
 }
 "#;
+
+/// The steps of edits that hold in another block, that was found or placed anew: by names of images and surveyed points, and by where places lie.
+#[wasm_bindgen(unchecked_return_type = "CarriedSteps")]
+pub fn carried_steps(#[wasm_bindgen(unchecked_param_type = "Carrying")] carrying: &JsValue) -> JsResult<JsValue> {
+    Ok(pack(&steps_carried(&read::<Carrying>("carrying", carrying)?)))
+}
 
 /// A block that was run, or opened from its project file; its owner frees it.
 #[wasm_bindgen]

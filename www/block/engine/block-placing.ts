@@ -3,7 +3,6 @@ import { Cancelled, WorkerClient } from '../../shared/engine/client';
 import { say } from '../../shared/text/words';
 import { awaitedOf } from '../state/former';
 import { groundKey } from '../state/purpose';
-import { amongImages } from '../state/spots';
 import { imagesOfBlock } from '../state/state';
 import type { BlockCalls } from './calls';
 import type { BlockEngine, BlockStore } from './engine';
@@ -34,9 +33,7 @@ export class BlockPlacing {
       const linked = await this.linked({ project: before, ground, options: placing.options });
       const read = await this.engine.read(linked, this.store.state.truth);
       const awaited = awaitedOf(this.store.state);
-      const spots = awaited?.spots ?? null;
-      const own = spots === null ? null : amongImages(spots, read.view.images);
-      const [places, again] = [await read.places(), await read.placesAgain(own)];
+      const [places, again] = [await read.places(), await read.placesAgain(awaited?.spots ?? null)];
       // Another block came meanwhile.
       if (this.stopped || this.store.state.shown?.found !== shown.found) return false;
       read.hold();

@@ -84,13 +84,15 @@ export function formerFrom(parts: ReadonlyMap<string, unknown>, history: History
 }
 
 function namesFrom(value: unknown, name: string): Names {
-  const { images, surveyed, connected, givenControl } = objectOf(value, name);
+  const { images, surveyed, connected, givenControl, system } = objectOf(value, name);
   if (!(surveyed instanceof Map && connected instanceof Set)) throw new Error(say('the-field-is-damaged', { name }));
   return {
     images: listOf(images, `${name}.images`, (image, at) => likeOf(image, '', at)),
     surveyed: new Map([...surveyed].map(([point, called]) => [likeOf(point, 0, `${name}.surveyed`), likeOf(called, '', `${name}.surveyed`)])),
     connected: new Set([...connected].map((pair) => likeOf(pair, '', `${name}.connected`))),
     givenControl: likeOf(givenControl, 0, `${name}.givenControl`),
+    // Earlier releases kept none.
+    system: orNull(system ?? null, (own) => likeOf(own, '', `${name}.system`)),
   };
 }
 

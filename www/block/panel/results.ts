@@ -10,7 +10,6 @@ import { readable } from '../../shared/text/names';
 import type { BlockStore } from '../engine/engine';
 import { placedFiles } from '../state/placed';
 import { isStale } from '../state/purpose';
-import { onOrthophotoText } from '../state/showing';
 import { isBusy } from '../state/state';
 import type { BlockState, Shown } from '../state/state';
 import type { BlockScore, CheckSummary, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
@@ -66,7 +65,7 @@ function onGround(shown: Shown, off: HTMLElement, written: (text: string) => str
   return section(
     say('orthophoto'),
     'block-on-orthophoto',
-    h('p', {}, written(onOrthophotoText(shown))),
+    h('p', {}, written(view.orthophoto.text)),
     ground === null ? null : h('p', { class: 'buttons' }, off),
   );
 }

@@ -16,7 +16,7 @@ import { unplacedFiles } from '../state/placed';
 import type { Purpose } from '../state/placing';
 import { framesStep } from '../state/frames-step';
 import { asksPurpose, isHeldByHand, isOffGround, lacksPlaceAlone, purposeOf } from '../state/purpose';
-import { isInSystemOf, onOrthophotoText } from '../state/showing';
+import { isInSystemOf } from '../state/showing';
 import { isBusy, isOutdated } from '../state/state';
 import type { BlockCatalogue, BlockState, Shown } from '../state/state';
 import type { BlockView } from '../state/view';
@@ -235,7 +235,7 @@ function answered(state: BlockState, shown: Shown, actions: BlockAnswerActions):
       verdict: view.verdict?.kind ?? 'weak',
       text: view.verdict?.text ?? '',
       // Where it lies says more than its counts, which the results have.
-      more: view.orthophoto !== null && isInSystemOf(view) ? onOrthophotoText(shown) : countsOf(shown),
+      more: view.orthophoto !== null && isInSystemOf(view) ? view.orthophoto.text : countsOf(shown),
       figures: figuresOf(view),
       next: sound ? next : why,
     };

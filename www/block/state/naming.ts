@@ -15,18 +15,21 @@ export interface Names {
   connected: ReadonlySet<string>;
   /** How many surveyed points the block was found with. */
   givenControl: number;
+  /** The coordinate reference system that was chosen for it; null where none was. */
+  system: string | null;
 }
 
-export const NO_NAMES: Names = { images: [], surveyed: new Map(), connected: new Set(), givenControl: 0 };
+export const NO_NAMES: Names = { images: [], surveyed: new Map(), connected: new Set(), givenControl: 0, system: null };
 
 /** The names of a block as it was found: the same whatever is edited. */
-export function namesOf({ images, surveyed, connections, givenControl }: BlockView): Names {
+export function namesOf({ images, surveyed, connections, givenControl, crs }: BlockView): Names {
   const connected = connections.filter(({ outcome }) => outcome.kind === 'connected').map((pair) => keyOfPair(pair.images));
   return {
     images: images.map(({ name }) => name),
     surveyed: new Map(surveyed.map(({ control, name }) => [control, name])),
     connected: new Set(connected),
     givenControl,
+    system: crs,
   };
 }
 

@@ -9,7 +9,6 @@ import type { GivenOrthophoto } from './placing';
 import { purposeOf } from './purpose';
 import type { BlockState, Shown } from './state';
 import type { BlockView } from './view';
-import { say } from '../../shared/text/words';
 
 type Given = Pick<BlockState, 'placing' | 'options' | 'files' | 'shown'>;
 
@@ -26,12 +25,6 @@ export function blockOnOrthophoto(state: Given): Shown | null {
 /** Whether a block lies in the system of an orthophoto, or is adjusted by it in its own: by places that were found on it, or measured by hand. */
 export function isInSystemOf({ orthophoto }: BlockView): boolean {
   return orthophoto?.kind === 'linked' || orthophoto?.kind === 'by_hand';
-}
-
-/** What came of the orthophoto that a block was given, in one sentence: of places that were found on it the block has others after edits by hand. */
-export function onOrthophotoText({ view: { orthophoto }, edits }: Pick<Shown, 'view' | 'edits'>): string {
-  if (orthophoto === null) return '';
-  return orthophoto.kind === 'linked' && edits.length > 0 ? say('as-it-was-placed', { text: orthophoto.text }) : orthophoto.text;
 }
 
 /** From the system of a block that is linked to an orthophoto to the system of that; null where nothing leads there. */

@@ -633,7 +633,6 @@ a-block-on-an-orthophoto = يمكن وضع الكتلة عليها: تقع عن�
 place-the-block-on-the = وضع الكتلة على الصورة المصححة
 place-each-image = وضع كل صورة وحدها
 only-under-the-map = تحت الخريطة فقط
-as-it-was-placed = قبل التعديلات اليدوية: { $text }
 not-now = ليس الآن
 the-block-is-not-on = لم توضع الكتلة على الصورة المصححة بهذه الإعدادات.
 places-found-hold-it-too = ويمكن أن تثبّتها أيضًا مواضع يُعثر عليها في الصورة المصححة.

@@ -720,7 +720,6 @@ a-block-on-an-orthophoto = The block can be placed on it: it then lies in its sy
 place-the-block-on-the = Place the block on the orthophoto
 place-each-image = Place each image by itself
 only-under-the-map = Only under the map
-as-it-was-placed = Before edits by hand: { $text }
 not-now = Not now
 the-block-is-not-on = The block is not placed on the orthophoto by these settings.
 places-found-hold-it-too = Places that are found on the orthophoto can hold it, too.
