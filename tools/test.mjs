@@ -13,7 +13,7 @@ import { cargoCounts, tapCounts } from './lib/counts.mjs';
 import { DIST, PKG_WASM, readJson, ROOT, TARGET } from './lib/paths.mjs';
 import { must, run } from './lib/process.mjs';
 import { cargo, ensureBindgen, ensureToolchain, WASM_TARGET } from './lib/rust.mjs';
-import { ensureChromium, ensureFirefox, ensurePackages } from './lib/setup.mjs';
+import { ensureFirefox, ensureHeadlessChromium, ensurePackages } from './lib/setup.mjs';
 import { Steps } from './lib/steps.mjs';
 
 /** Files of tests of the command, and of the page, that run at the same time: as many as the processors of a small machine. */
@@ -168,7 +168,7 @@ async function everything(steps, rebuilds) {
   const executed = async () => {
     if (packages) await typeChecks(steps);
     if (packages) await rebuiltPage(steps);
-    const chromium = needs('page') ? await steps.prepare('Chromium', ensureChromium) : null;
+    const chromium = needs('page') ? await steps.prepare('Chromium', ensureHeadlessChromium) : null;
     const firefox = needs('firefox') ? await steps.prepare('Firefox', ensureFirefox) : null;
     const programs = { CHROMIUM: chromium?.path ?? '', NO_CHROMIUM: chromium?.reason ?? '', FIREFOX: firefox?.path ?? '', NO_FIREFOX: firefox?.reason ?? '' };
     if (packages) await nodeTests(steps, 'page', 'tests, page in Chromium', programs, FILES);

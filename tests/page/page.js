@@ -7,7 +7,7 @@ import { after, afterEach, before } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 import { writeSingle } from '../../tools/lib/compose.mjs';
-import { findChromium } from '../../tools/lib/setup.mjs';
+import { findHeadlessChromium } from '../../tools/lib/setup.mjs';
 import { servePage } from '../../tools/lib/page-server.mjs';
 import { pairPhotos } from './rendered.js';
 
@@ -44,7 +44,7 @@ const FLAGS = [
   '--disable-sync',
   `--disable-features=${FEATURES.join()}`,
 ];
-const program = findChromium();
+const program = findHeadlessChromium();
 
 /** Why the tests of the page cannot run; false where they can. */
 export const SKIP = program ? false : `skipped: no Chromium (${process.env.NO_CHROMIUM || 'install it or name it in CHROMIUM'})`;
