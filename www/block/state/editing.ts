@@ -13,7 +13,7 @@ import type { Choice } from './selection';
 import { withRemoved } from './removing';
 import { figuresOf, UNEDITED } from './edited';
 import { awaitedOf, formerOf, nameOfTiePoints, placesBefore, wayBack, withFormer } from './former';
-import type { Awaiting } from './former';
+import type { Awaiting, Former } from './former';
 import type { Draft, Edits } from './edited';
 import type { BlockEdit, PlaceAgain } from '../../../pkg/wasm/tiepoint.js';
 import { besideEdits } from './marks';
@@ -167,36 +167,51 @@ type Carried = Pick<BlockState, keyof Edits | 'marks'>;
  * The edits of a block that was found anew, of what the former one had, with the steps beside them; `said`: what became of them. All hold where its tie
  * points are those of the former one; where they are again those of one before it, and nothing was edited since, it has the edits of that.
  */
-export function carried({ history, marks, shown, former }: BlockState, view: BlockView): { edits: Carried; said: string } {
+export function carried(state: BlockState, view: BlockView): { edits: Carried; said: string } {
+  const { history, marks, shown, former } = state;
   if (shown === null || (history.edits.length === 0 && former.length === 0)) return keptOf(NOTHING_CARRIED, marks, NO_NAMES);
-  const names = namesOf(shown.found);
-  const [before, after] = [shown.tiePoints, nameOfTiePoints(view)];
-  const isSame = before === after;
-  const way = isSame ? [] : wayBack(former, after, history);
+  const after = nameOfTiePoints(view);
+  const way = shown.tiePoints === after ? [] : wayBack(former, after, history);
   const [last] = way.slice(-1);
   if (last !== undefined) {
-    const back = way.reduce((steps, one) => {
-      const places = placesBefore(one, steps.edits);
-      return besideEdits(steps, (place, at) => places[at] ?? place);
-    }, marks);
+    const back = way.reduce((steps, one) => marksBefore(one, steps), marks);
     // Places of an orthophoto that it lay on are no points of the block that was found.
     const regained = { ...carriedOver(last.history, last.names, namesOf(view), true), places: NO_PLACES_AGAIN };
     if (regained.lost + regained.aside.length > 0 || last.names.givenControl !== view.givenControl) {
       const { edits, said } = keptOf(regained, back, last.names);
       const places = back.edits.map((step) => step.after);
-      return { edits: { ...edits, former, awaiting: { ...last, kept: regained.history, left: regained.left, places, sameTiePoints: true } }, said };
+      const awaiting = { ...last, kept: regained.history, left: regained.left, places, sameTiePoints: true, ofPlaces: 0 };
+      return { edits: { ...edits, former, awaiting }, said };
     }
     return { edits: { ...UNEDITED, former, history: last.history, marks: back }, said: saidOfKept(last.history) };
   }
-  // Whether places lie again is known once it lies on the orthophoto.
-  const found = { ...carriedOver(history, names, namesOf(view), isSame), places: NO_PLACES_AGAIN };
+  // Edits that still wait are carried on, with all that they had when they began to.
+  const waiting = awaitedOf(state);
+  const now = { tiePoints: shown.tiePoints, names: namesOf(shown.found), history, spots: shown.ground?.places ?? null };
+  const { tiePoints, names, history: steps, spots } = waiting ?? now;
+  const beside = waiting === null ? marks : marksBefore(waiting, marks);
+  const isSame = tiePoints === after;
+  const found = carriedOver(steps, names, namesOf(view), isSame);
   if (isSame && found.lost + found.aside.length === 0 && names.givenControl === view.givenControl)
-    return { edits: { ...UNEDITED, former, history, marks }, said: saidOfKept(history) };
-  const { edits, said } = keptOf(found, marks, names);
-  const places = marks.edits.map((step) => step.after);
-  const one = { tiePoints: before, names, history, kept: found.history, left: found.left, places, spots: shown.ground?.places ?? null };
-  const awaiting = { ...one, sameTiePoints: isSame };
-  return { edits: { ...edits, former: before === '' ? [] : withFormer(former, one), awaiting }, said };
+    return { edits: { ...UNEDITED, former, history: steps, marks: beside }, said: saidOfKept(steps) };
+  // Whether places lie again is known once it lies on the orthophoto.
+  const ofPlaces = found.places.edits;
+  const { edits, said } = keptOf({ ...found, places: { ...NO_PLACES_AGAIN, edits: ofPlaces } }, beside, names);
+  const places = beside.edits.map((step) => step.after);
+  const one = { tiePoints, names, history: steps, kept: found.history, left: found.left, places, spots };
+  return {
+    edits: { ...edits, former: tiePoints === '' ? [] : withFormer(former, one), awaiting: { ...one, sameTiePoints: isSame, ofPlaces } },
+    said: [said, ofPlaces === 0 ? '' : say('edits-of-places-wait', { edits: ofPlaces })].filter((part) => part !== '').join(' '),
+  };
+}
+
+/** What waits of the block that was kept: its latest edits, where it does not lie on the orthophoto yet that they are of. */
+export function awaitingAgain(former: readonly Former[], history: History<EditStep>, shown: { tiePoints: string; ground: unknown } | null): Awaiting | null {
+  const last = former.at(-1);
+  if (last === undefined || last.spots === null || shown === null || shown.ground !== null) return null;
+  if (last.kept.edits !== history.edits || last.kept.done !== history.done) return null;
+  const ofPlaces = editsInForce(last.history).length - editsInForce(history).length;
+  return { ...last, sameTiePoints: last.tiePoints === shown.tiePoints, ofPlaces: Math.max(0, ofPlaces) };
 }
 
 function saidOfKept(history: History<EditStep>): string {
@@ -212,19 +227,22 @@ export function carriedToGround(state: BlockState, view: BlockView, isOff: boole
   const awaited = isOff ? null : awaitedOf(state);
   if (awaited !== null) return arrived(awaited, state, view, again);
   const { history, marks, shown, former } = state;
+  // What was edited before it lay there is not written over: edits of places that waited are gone.
+  const gone = isOff ? 0 : (state.awaiting?.ofPlaces ?? 0);
+  const saidOfGone = gone === 0 ? '' : say('of-points-of-the-former', { lost: gone });
   const names = shown === null ? NO_NAMES : namesOf(shown.found);
   // Points that were added have other numbers behind others.
   const isSame = names.givenControl === view.givenControl && withoutPlaces(names).surveyed.size === names.surveyed.size;
   const found = isSame ? allCarried(history) : carriedOver(history, names, withoutPlaces(namesOf(view)), true, again);
   const { history: left, left: places, aside } = isOff ? placesSetAside(found.history, view.givenControl) : { ...allCarried(found.history), aside: 0 };
-  if (isSame && aside === 0) return { edits: { ...UNEDITED, former, history, marks }, said: '' };
+  if (isSame && aside === 0) return { edits: { ...UNEDITED, former, history, marks }, said: saidOfGone };
   // Off it nothing can lie again.
   const ofPlaces = isOff ? NO_PLACES_AGAIN : found.places;
   const now = { ...found, places: ofPlaces, history: left, left: found.left.map((count) => places[count] ?? left.edits.length) };
   const { edits, said } = keptOf(now, marks, names);
   return {
     edits: { ...edits, former: formerOf(former, history, now.history, now.left) },
-    said: [said, aside === 0 ? '' : say('places-set-aside', { steps: aside })].filter((part) => part !== '').join(' '),
+    said: [said, saidOfGone, aside === 0 ? '' : say('places-set-aside', { steps: aside })].filter((part) => part !== '').join(' '),
   };
 }
 
@@ -232,14 +250,15 @@ export function carriedToGround(state: BlockState, view: BlockView, isOff: boole
 function arrived(awaited: Awaiting, { marks, former }: BlockState, view: BlockView, again: readonly PlaceAgain[]): { edits: Carried; said: string } {
   const { history, names, sameTiePoints } = awaited;
   const found = carriedOver(history, names, withoutPlaces(namesOf(view)), sameTiePoints, again);
-  const places = placesBefore(awaited, marks.edits);
-  const { edits, said } = keptOf(
-    found,
-    besideEdits(marks, (after, at) => places[at] ?? after),
-    names,
-  );
+  const { edits, said } = keptOf(found, marksBefore(awaited, marks), names);
   const ofIt = former.map((one) => (one.history === history ? { ...one, kept: found.history, left: found.left } : one));
   return { edits: { ...edits, former: sameTiePoints ? formerOf(former, history, found.history, found.left) : ofIt }, said };
+}
+
+/** The steps beside the edits of a former block, at their places among these. */
+function marksBefore(former: Former, marks: BlockState['marks']): BlockState['marks'] {
+  const places = placesBefore(former, marks.edits);
+  return besideEdits(marks, (after, at) => places[at] ?? after);
 }
 
 function allCarried(history: History<EditStep>): CarriedOver {

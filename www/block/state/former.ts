@@ -27,6 +27,8 @@ export interface Former {
 export interface Awaiting extends Former {
   /** Whether its tie points are those of the block that has them. */
   sameTiePoints: boolean;
+  /** So many edits in force wait for its places. */
+  ofPlaces: number;
 }
 
 /** Null once something was edited since. */

@@ -7,7 +7,7 @@ import type { BlockCatalogue, BlockFile, BlockOptions, BlockState, Shown, ViewNa
 import { BLOCK_INITIAL } from './state';
 import { UNEDITED } from './edited';
 import { nameOfTiePoints } from './former';
-import { carried, carriedToGround, reduceEdits } from './editing';
+import { awaitingAgain, carried, carriedToGround, reduceEdits } from './editing';
 import type { EditsAction } from './editing';
 import { givenBeside, NONE_GIVEN } from './given-points';
 import { panesInOtherView, reducePanes } from './panes';
@@ -170,8 +170,11 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
           ground: null,
         },
       };
-    case 'restored':
-      return { ...BLOCK_INITIAL, catalogue: state.catalogue, ...action.restored, onStage: viewOf(action.restored) };
+    case 'restored': {
+      const { former, history, shown } = action.restored;
+      const awaiting = awaitingAgain(former, history, shown);
+      return { ...BLOCK_INITIAL, catalogue: state.catalogue, ...action.restored, awaiting, onStage: viewOf(action.restored) };
+    }
     case 'cleared':
       return state.catalogue === null ? state : reduceBlock(BLOCK_INITIAL, { type: 'ready', catalogue: state.catalogue });
     case 'clear':

@@ -895,6 +895,10 @@ edits-of-places = { $lost ->
         } again.
        *[other] What was done to places of the orthophoto holds for { $held } that lie there again, and not for { $lost }: nothing was found there, or what was measured is of another spot.
     }
+edits-of-places-wait = { $edits } { $edits ->
+        [one] edit of places of the orthophoto waits
+       *[other] edits of places of the orthophoto wait
+    } until the block lies on it again.
 of-points-of-the-former = { $lost } { $lost ->
         [one] edit
        *[other] edits
