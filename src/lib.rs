@@ -141,7 +141,7 @@ pub use reconstruction::{
     ReconstructionOptions, RefusedControl, RejectedObservation, RejectedPosition, SupportingPoint, SupportingRay, SurveyedPoint,
     UnorientedImage, UnorientedReason, reconstruct_block,
 };
-pub use report::{PAPER, Paper, PrintedOrientation, Report, ReportEdits, ReportImage, ReportTruth};
+pub use report::{PAPER, Paper, PrintedOrientation, Report, ReportEdits, ReportImage, ReportStep, ReportTruth};
 pub use simulate::{
     BlockFlight, BlockPreset, BlockScene, BlockScore, BlockView, DenseTruth, Exposure, Flight, MatchScore, Preset, RIGHT_WITHIN_PX,
     Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, check_truth, sample_pair, score_block, score_matches,

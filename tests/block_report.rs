@@ -1,10 +1,11 @@
 //! The report of a block: whole, self-contained, with the figures of the other files.
 
+use super::read::assert_arabic;
 use std::fs;
 use std::sync::OnceLock;
 use tiepoint::{
-    BlockFlight, BlockRun, BlockScene, BlockSettings, BlockVerdict, ControlRole, ControlTexts, MultiscaleOptions, ObservationVerdict,
-    PointSource, Project, RunInput, SurveyedPoint, block_files, images_in, read_project, run_block,
+    BlockFiles, BlockFlight, BlockRun, BlockScene, BlockSettings, BlockVerdict, ControlRole, ControlTexts, MultiscaleOptions,
+    ObservationVerdict, PointSource, Project, RunInput, SurveyedPoint, Texts, images_in, read_project, run_block,
 };
 
 /// The name of an image and of points that would be markup. No file can have a slash in its name.
@@ -71,6 +72,10 @@ fn control_of(scene: &BlockScene, names: &[&str]) -> ControlTexts {
 
 /// `report.html` of a block.
 fn report(run: &BlockRun) -> String {
+    report_in(Texts::english(), run)
+}
+
+fn report_in(texts: &Texts, run: &BlockRun) -> String {
     let mut html = None;
     let mut emit = |path: &str, text: &str| {
         if path == "report.html" {
@@ -78,7 +83,8 @@ fn report(run: &BlockRun) -> String {
         }
         Ok(())
     };
-    block_files(run, &[], None, &mut emit).unwrap();
+    let mut files = BlockFiles::new(&[], None, texts);
+    while files.step(run, &mut emit).unwrap().is_none() {}
     html.unwrap()
 }
 
@@ -151,6 +157,24 @@ fn a_report_has_the_figures_of_the_other_files() {
         assert!(html.contains(part), "no {part}");
     }
     for part in ["it has no tie points", "broken.pgm", "Mean residuals over the image", "redundancy number r"] {
+        assert!(html.contains(part), "no {part}");
+    }
+}
+
+#[test]
+fn a_report_in_arabic_is_arabic() {
+    let Project::Block(older) = read_project(include_bytes!("project/version-1.tiepoint")).unwrap() else { unreachable!() };
+    let names: Vec<String> = (0..9).map(|number| format!("{HOSTILE}{number}")).chain([HOSTILE.into()]).collect();
+    // What a job refuses crosses from its worker as a text, which is English.
+    let refused = "the image cannot be read: PNM: the file ends before its image does: it is truncated";
+    let names: Vec<&str> = names.iter().map(String::as_str).chain([refused, "=other, 1.png"]).collect();
+    for run in [free(), controlled(), &older] {
+        let html = report_in(Texts::arabic(), run);
+        assert_arabic(&html, &names);
+    }
+    let html = report_in(Texts::arabic(), controlled());
+    for part in ["نقاط الضبط الأرضي</h2>", "نقاط التحقق</h2>", "مستعملة", "بنقاط الضبط الأرضي"]
+    {
         assert!(html.contains(part), "no {part}");
     }
 }

@@ -7,6 +7,7 @@
 #![allow(clippy::duplicate_mod)]
 
 mod known;
+mod read;
 mod sampling;
 mod scene;
 

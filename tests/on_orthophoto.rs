@@ -8,7 +8,7 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use tiepoint::{
     Axis, BlockEdit, BlockFiles, BlockFlight, BlockLinks, BlockModel, BlockRun, BlockScene, BlockSettings, BlockVerdict, BlockWarning,
     CameraUncertainty, ControlRole, ControlTexts, DecodeLimits, Heights, MeasuredBy, MultiscaleOptions, NotLinked, OnOrthophoto,
-    Orthophoto, OverviewWarning, PlacingOptions, PointSource, Remark, RunInput, SearchArea, control_by_hand, decode,
+    Orthophoto, OverviewWarning, PlacingOptions, PointSource, Remark, RunInput, SearchArea, Texts, control_by_hand, decode,
     parse_ground_control_points, read_project, run_block, write_block_project,
 };
 
@@ -337,7 +337,7 @@ fn used(run: &BlockRun) -> Vec<String> {
 
 fn files(run: &BlockRun) -> BTreeMap<String, String> {
     let mut written = BTreeMap::new();
-    let mut files = BlockFiles::new(&[], None);
+    let mut files = BlockFiles::new(&[], None, Texts::english());
     while files
         .step(run, &mut |path, text| {
             written.insert(path.to_string(), text.to_string());

@@ -1,11 +1,12 @@
 //! The report: whole, self-contained, the same every time; and the tracked reports of the project's own pairs.
 
+use super::read::assert_arabic;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tiepoint::{
     CameraOrigin, CameraUncertainty, Denominator, ExifCamera, Flight, GreyImage, Match, Operator, PairImage, PairInput, PairResult,
-    PairSettings, PhotoInput, Preset, Refinement, Report, ReportEdits, ReportImage, ReportTruth, Sample, Strategy, match_pair,
-    orient_matches, simulate,
+    PairSettings, PhotoInput, Preset, Refinement, Report, ReportEdits, ReportImage, ReportStep, ReportTruth, Sample, Strategy, Texts,
+    match_pair, orient_matches, simulate,
 };
 
 /// The report of a flight, as `tiepoint simulate` and `tiepoint report` make it.
@@ -33,7 +34,7 @@ fn report_with(flight: &Flight, name: &str, change: impl Fn(&mut PairSettings, f
 
 /// Compares with a tracked report, or rewrites it where `TIEPOINT_REPORT=write` says so.
 fn check_tracked(preset: Preset, name: &str, file: &str) {
-    let html = report_of(&preset.flight(), name).html().unwrap();
+    let html = report_of(&preset.flight(), name).html(Texts::english()).unwrap();
     let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs").join(file);
     if std::env::var("TIEPOINT_REPORT").as_deref() == Ok("write") {
         fs::create_dir_all(path.parent().unwrap()).unwrap();
@@ -60,7 +61,7 @@ fn small() -> Flight {
 
 #[test]
 fn a_report_is_whole_and_refers_to_nothing_outside() {
-    let html = report_of(&small(), "small").html().unwrap();
+    let html = report_of(&small(), "small").html(Texts::english()).unwrap();
     for part in [
         "Table 1.",
         "Table 2.",
@@ -84,7 +85,27 @@ fn a_report_is_whole_and_refers_to_nothing_outside() {
         assert!(rest.starts_with("data:") || rest.starts_with('#'), "{}", &rest[..60]);
     }
     assert!(!html.contains("<script") && !html.contains("http:") && !html.contains("https:"));
-    assert_eq!(html, report_of(&small(), "small").html().unwrap());
+    assert_eq!(html, report_of(&small(), "small").html(Texts::english()).unwrap());
+}
+
+#[test]
+fn a_report_in_arabic_is_arabic_and_has_the_same_figures() {
+    let mut made = report_of(&small(), "small");
+    let (html, english) = (made.html(Texts::arabic()).unwrap(), made.html(Texts::english()).unwrap());
+    assert_arabic(&html, &["small left", "small right"]);
+    assert!(super::read::english(&english, &["small left", "small right"]).len() > 100);
+    for part in ["الجدول 3.", "المربعات الصغرى", "matching.strategy", "46\u{202f}695", "0.0477", "المستعملة"] {
+        assert!(html.contains(part), "no {part}");
+    }
+    // Numbers are written as in English, with Western digits.
+    let figures = |html: &str| -> Vec<String> {
+        let cells = html.split("<td>").skip(1).map(|cell| cell[..cell.find('<').unwrap()].to_string());
+        cells.filter(|cell| cell.contains(|c: char| c.is_ascii_digit()) && !cell.contains(char::is_alphabetic)).collect()
+    };
+    assert_eq!(figures(&html), figures(&english));
+    assert!(!html.contains(|c: char| ('٠'..='٩').contains(&c)));
+    let steps: Vec<String> = made.steps().iter().map(|step| Texts::arabic().text(step)).collect();
+    assert_eq!(steps[0], "هذا التشغيل");
 }
 
 #[test]
@@ -94,13 +115,14 @@ fn a_pair_without_camera_or_truth_has_a_report_that_says_so() {
     let mut settings = PairSettings::default();
     settings.matching.strategy = tiepoint::Strategy::Moments;
     let mut report = Report::new([image(flight.left), image(flight.right)], PairInput::default(), settings, None);
-    assert_eq!(report.steps(), ["this run", "moments", "invariants", "correlation", "least squares", "gradients"]);
+    let steps: Vec<String> = report.steps().iter().map(ToString::to_string).collect();
+    assert_eq!(steps, ["this run", "moments", "invariants", "correlation", "least squares", "gradients"]);
     let mut steps = 0;
     while report.step().unwrap() {
         steps += 1;
     }
     assert_eq!(steps, 6);
-    let html = report.html().unwrap();
+    let html = report.html(Texts::english()).unwrap();
     assert!(html.contains("Not oriented: no camera") && !html.contains("against the truth"));
     assert!(html.contains("there are no photo coordinates") && !html.contains("follow from the pixel size"));
     assert!(html.contains("&lt;b&gt;") && !html.contains("<b>&"));
@@ -112,7 +134,8 @@ fn bad_settings_are_refused() {
     let image = |grey: GreyImage| ReportImage { name: "a".into(), grey, exif: None, mask: None };
     let mut settings = PairSettings::default();
     settings.matching.search = 4;
-    let refused = Report::new([image(flight.left), image(flight.right)], PairInput::default(), settings, None).html().unwrap_err();
+    let refused =
+        Report::new([image(flight.left), image(flight.right)], PairInput::default(), settings, None).html(Texts::english()).unwrap_err();
     assert!(refused.is_usage() && refused.to_string().contains("search"), "{refused}");
 }
 
@@ -125,7 +148,7 @@ fn row_after<'a>(html: &'a str, text: &str, symbol: &str) -> Vec<&'a str> {
 
 #[test]
 fn true_errors_do_not_depend_on_the_base_but_by_scale() {
-    let of = |change: fn(&mut PairSettings, f64)| report_with(&small(), "small", change).html().unwrap();
+    let of = |change: fn(&mut PairSettings, f64)| report_with(&small(), "small", change).html(Texts::english()).unwrap();
     let (own, double) = (of(|s, base| s.orientation.base_mm = Some(base)), of(|s, base| s.orientation.base_mm = Some(2.0 * base)));
     // In standard errors, which follow the same scale, the true errors are the same.
     let ratios = |html: &str| -> Vec<String> {
@@ -138,7 +161,8 @@ fn true_errors_do_not_depend_on_the_base_but_by_scale() {
 
 #[test]
 fn sigma0_without_rejection_stands_beside_that_with_it() {
-    let of = |robust: bool| report_with(&small(), "small", |settings, _| settings.orientation.robust = robust).html().unwrap();
+    let of =
+        |robust: bool| report_with(&small(), "small", |settings, _| settings.orientation.robust = robust).html(Texts::english()).unwrap();
     let row = |html: &str, title: &str| -> Vec<f64> {
         let row = &html[html.find(&format!("<th>{title}</th>")).unwrap()..];
         let cells = row[..row.find("</tr>").unwrap()].split("<td>").skip(1).map(|cell| cell[..cell.find('<').unwrap()].parse());
@@ -161,7 +185,7 @@ fn what_sets_the_report_apart_from_the_paper_follows_the_settings() {
         settings.matching.denominator = Denominator::Floor;
         settings.matching.parallax_neighbours = 0;
     });
-    let html = report.html().unwrap();
+    let html = report.html(Texts::english()).unwrap();
     assert!(html.contains("or the median magnitude of the moment where that is more, is the denominator"));
     assert!(html.contains("are rejected that are ambiguous or many to one: "));
 }
@@ -178,8 +202,8 @@ fn what_masks_leave_out_is_told_and_drawn() {
         let right = ReportImage { name: "right".into(), grey: flight.right.clone(), exif: None, mask: None };
         Report::new([left, right], PairInput::default(), PairSettings::default(), None)
     };
-    let plain = report(None).html().unwrap();
-    let masked = report(Some(half(&flight.left))).html().unwrap();
+    let plain = report(None).html(Texts::english()).unwrap();
+    let masked = report(Some(half(&flight.left))).html(Texts::english()).unwrap();
     assert!(masked.contains("A mask leaves out 50.0 % of the left image.") && !masked.contains("of the right image."));
     assert_eq!(masked.matches("class=\"left-out\"").count(), 1);
     assert!(!plain.contains("leaves out") && !plain.contains("left-out"));
@@ -188,7 +212,7 @@ fn what_masks_leave_out_is_told_and_drawn() {
         rest[..rest.find(" points").unwrap()].chars().filter(char::is_ascii_digit).collect::<String>().parse().unwrap()
     };
     assert!(points(&masked) > 0 && points(&masked) < points(&plain));
-    let strange = report(Some(GreyImage::new(7, 5, vec![0; 35]).unwrap())).html().unwrap_err();
+    let strange = report(Some(GreyImage::new(7, 5, vec![0; 35]).unwrap())).html(Texts::english()).unwrap_err();
     assert!(strange.to_string().contains("mask"), "{strange}");
 }
 
@@ -228,7 +252,7 @@ fn a_report_of_edited_matches_is_of_them_and_says_so() {
     let (images, input, settings) = by_moments();
     let [left, right] = images.each_ref().map(|grey| PairImage { grey: grey.view(), exif: None, mask: None });
     let PairResult { matching, interior, left: points, .. } = match_pair(left, right, &input, &settings).unwrap();
-    let plain = Report::new(images_of(images.clone()), input.clone(), settings.clone(), None).html().unwrap();
+    let plain = Report::new(images_of(images.clone()), input.clone(), settings.clone(), None).html(Texts::english()).unwrap();
     assert!(!plain.contains("by hand") && plain.contains("<th>this run</th>"));
     // A third is rejected by hand, and a point is added.
     let mut matches: Vec<Match> = matching.matches.iter().enumerate().filter(|(k, _)| k % 3 != 0).map(|(_, kept)| *kept).collect();
@@ -243,8 +267,8 @@ fn a_report_of_edited_matches_is_of_them_and_says_so() {
     let used = matches.len() - oriented.rejected.len();
     let edits = ReportEdits { added_px: vec![matches[matches.len() - 1].left_px], rejected, measured: 1, matches };
     let mut report = Report::new(images_of(images), input, settings, None).edited(edits.clone());
-    assert_eq!(report.steps()[..2], ["this run, edited", "moments"]);
-    let html = report.html().unwrap();
+    assert_eq!(report.steps()[..2], [ReportStep::ThisRunEdited, ReportStep::Moments]);
+    let html = report.html(Texts::english()).unwrap();
     assert!(html.contains(&format!("Edits by hand: {rejected} matches rejected, 1 measured.")));
     assert!(html.contains(&format!("{} matches of {} left points", edits.matches.len(), points.points.len() + 1)));
     assert!(html.contains(&format!("Oriented from {used} points")) || html.contains(&format!("from {used} points")));
@@ -264,7 +288,9 @@ fn a_report_of_edited_matches_is_of_them_and_says_so() {
 #[test]
 fn errors_and_what_they_belong_to_have_two_significant_digits_of_them() {
     // by and bz and their errors are a ten-thousandth of the true ones.
-    let html = report_with(&small(), "small", |settings, base_mm| settings.orientation.base_mm = Some(1e-4 * base_mm)).html().unwrap();
+    let html = report_with(&small(), "small", |settings, base_mm| settings.orientation.base_mm = Some(1e-4 * base_mm))
+        .html(Texts::english())
+        .unwrap();
     for symbol in ["ω", "φ", "κ", "by", "bz"] {
         let text = |cell: &&str| cell[..cell.find('<').unwrap()].to_string();
         let errors: Vec<String> = row_after(&html, "Table 2.", symbol).iter().map(text).collect();
@@ -286,7 +312,7 @@ fn a_report_names_its_cameras_and_where_they_come_from() {
     let (images, input, settings) = by_moments();
     let report = |input: &PairInput, exif: Option<ExifCamera>, settings: &PairSettings| {
         let images = images_of(images.clone()).map(|image| ReportImage { exif: exif.clone(), ..image });
-        Report::new(images, input.clone(), settings.clone(), None).html().unwrap()
+        Report::new(images, input.clone(), settings.clone(), None).html(Texts::english()).unwrap()
     };
     let camera = input.camera.unwrap();
     // A given camera of measured marks is known without error.

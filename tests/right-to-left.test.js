@@ -79,7 +79,8 @@ test('in Arabic units are in its letters in heads, after figures and on axes, an
   Object.assign(globalThis, { name: 'test ar' });
   const arabic = await pageModules(['shared/text/words', 'shared/text/units', 'shared/state/rows', 'block/view/plot/axes', 'block/state/plot-words']);
   Object.assign(globalThis, { name: '' });
-  arabic.words.learn(['block', 'options', 'pair', 'shared'].map((part) => readFileSync(new URL(`../www/shared/text/ar/${part}.ftl`, import.meta.url), 'utf8')));
+  const files = ['www/shared/text/ar/block', 'src/catalogue/ar-options', 'www/shared/text/ar/pair', 'www/shared/text/ar/shared'];
+  arabic.words.learn(files.map((file) => readFileSync(new URL(`../${file}.ftl`, import.meta.url), 'utf8')));
   const { unitText, withUnit } = arabic.units;
   assert.deepEqual(['px', 'm', 'cm', 'mm', 'µm', 'km', 'grey values', '°', '%', ''].map(unitText), [
     'بكسل',

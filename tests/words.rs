@@ -1,5 +1,6 @@
-//! What people read stands in the catalogue: errors hold figures and names, no sentences.
+//! What people read stands in the catalogue: errors hold figures and names, no sentences; reports say texts by their names.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -44,6 +45,113 @@ fn errors_hold_no_sentences() {
     }
     assert!(made > 150, "only {made} messages were found");
     assert!(wrong.is_empty(), "English in code, whose place is the catalogue:\n{}", wrong.join("\n"));
+}
+
+/// Where reports are written.
+const REPORTS: [&str; 3] = ["html", "outputs/report", "report"];
+
+/// What only the program reads: classes and places of a page, families of messages, ways of the paper, values of what the catalogue says.
+const NOT_READ: [&str; 19] = [
+    "data:image/png;base64,{}",
+    "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'",
+    "correlation",
+    "dot",
+    "dot matched",
+    "dot rejected",
+    "least-squares",
+    "left-image",
+    "moments",
+    "negative",
+    "outline",
+    "outline faint",
+    "positive",
+    "report_step",
+    "right-image",
+    "rotate({:.2})",
+    "rtl",
+    "vector",
+    "vector rejected",
+];
+
+#[test]
+fn reports_say_texts_of_the_catalogue_and_no_others() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let catalogue = fs::read_to_string(source.join("catalogue/en-report.ftl")).unwrap();
+    let names = catalogue.lines().filter(|line| line.starts_with("report-")).filter_map(|line| line.split_once(" ="));
+    let written: BTreeSet<&str> = names.map(|(name, _)| name).collect();
+    let (mut named, mut wrong, mut not_read) = (BTreeSet::new(), Vec::new(), BTreeSet::new());
+    for file in REPORTS.iter().flat_map(|folder| files(&source.join(folder))) {
+        let text = fs::read_to_string(&file).unwrap();
+        let code = without_comments(text.split("#[cfg(test)]\nmod tests").next().unwrap());
+        for found in said(&code).into_iter().filter(|literal| !is_for_the_page(literal)) {
+            let is_figure = catalogue.contains(&format!("${} }}", found.text)) || catalogue.contains(&format!(".{} =", found.text));
+            match found.text.strip_suffix("{}").unwrap_or(found.text) {
+                name if name.starts_with("report-") => {
+                    let of: Vec<&str> =
+                        written.iter().copied().filter(|text| *text == name || (name != found.text && text.starts_with(name))).collect();
+                    if of.is_empty() {
+                        wrong.push(at(&file, found.text));
+                    }
+                    named.extend(of);
+                }
+                _ if NOT_READ.contains(&found.text) => drop(not_read.insert(found.text.to_string())),
+                _ if has_word(found.text) && !is_figure => wrong.push(at(&file, found.text)),
+                _ => {}
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "in the code of reports:\n{}", wrong.join("\n"));
+    assert_eq!(written.difference(&named).collect::<Vec<_>>(), [&""; 0], "texts that no report says");
+    assert_eq!(not_read.len(), NOT_READ.len(), "exceptions that nothing needs: {not_read:?}");
+}
+
+#[test]
+fn a_word_of_a_report_is_found_wherever_it_stands() {
+    for planted in
+        ["h2 { \"Residuals\" }", "p { (count(n)) \" of all\" }", "format!(\"{} points\", n)", "let words = \"in all images\".to_string();"]
+    {
+        assert!(said(planted).iter().any(|literal| !is_for_the_page(literal) && has_word(literal.text)), "{planted}");
+    }
+    for other in
+        ["svg role=\"img\" x=(format!(\"translate({x})\")) {}", ".expect(\"settings are plain data\")", "\"M{x:.1} {y:.1}h0\"", "\"σ dX\""]
+    {
+        assert!(said(other).iter().all(|literal| is_for_the_page(literal) || !has_word(literal.text)), "{other}");
+    }
+}
+
+/// A text between quotation marks, with the code before it.
+struct Literal<'a> {
+    before: &'a str,
+    text: &'a str,
+}
+
+fn said(code: &str) -> Vec<Literal<'_>> {
+    let place = |text: &str| text.as_ptr() as usize - code.as_ptr() as usize - 1;
+    literals(code).into_iter().map(|text| Literal { before: &code[..place(text)], text }).collect()
+}
+
+/// The value of an attribute, the name of a file or a variable, what a panic says.
+fn is_for_the_page(literal: &Literal<'_>) -> bool {
+    ["=", "=(format!(", "include_str!(", "env!(", ".expect("].iter().any(|end| literal.before.ends_with(end))
+        && !literal.before.ends_with(" =")
+}
+
+/// Whether a text has a word, not only symbols, units and names of every language.
+fn has_word(text: &str) -> bool {
+    let mut depth = 0;
+    let plain: String = text
+        .chars()
+        .map(|c| {
+            depth += i32::from(c == '{') - i32::from(c == '}');
+            if depth > 0 { ' ' } else { c }
+        })
+        .collect();
+    plain.split(|c: char| !c.is_alphabetic()).any(|word| word.chars().count() > 2 && word != "RMSE")
+}
+
+/// Code without its comments and attributes.
+fn without_comments(code: &str) -> String {
+    code.lines().filter(|line| !["//", "#["].iter().any(|start| line.trim_start().starts_with(start))).collect::<Vec<_>>().join("\n")
 }
 
 #[test]

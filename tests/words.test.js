@@ -26,8 +26,16 @@ const SAID = [...SOURCES].flatMap(([file, code]) => saidIn(file, code).map((said
 /** The texts that the document says by name. */
 const MARKED = [...PAGE.matchAll(/\bdata-say(?:-[a-z]+)?="([a-z0-9-]+)"/gu)].map(([, name = '']) => name);
 
-/** The files of a language, one after the other.  @param {string} language */
-const catalogueOf = (language) => readdirSync(join(TEXTS, language)).map((file) => readFileSync(join(TEXTS, language, file), 'utf8'));
+const CRATE = join(ROOT, 'src', 'catalogue');
+
+/** The files of a language in the folder of the page, one after the other.  @param {string} language */
+const ofPage = (language) => readdirSync(join(TEXTS, language)).map((file) => readFileSync(join(TEXTS, language, file), 'utf8'));
+
+/** The options of the crate in Arabic, which page and reports say: their English stands where they are declared. */
+const OPTIONS = readFileSync(join(CRATE, 'ar-options.ftl'), 'utf8');
+
+/** All that the page says in a language.  @param {string} language */
+const catalogueOf = (language) => [...ofPage(language), ...(language === 'ar' ? [OPTIONS] : [])];
 
 /** The entries of a language by their names, each as it is written.  @param {string} language */
 function entriesOf(language) {
@@ -204,9 +212,7 @@ function textsOf(catalogues) {
   return Object.fromEntries(written.map(([name, pattern]) => [name, [...new Set(writtenBy(pattern))].sort()]));
 }
 
-const CRATE = join(ROOT, 'src', 'catalogue');
-const ofCrate = (/** @type {string} */ language) => [readFileSync(join(CRATE, `${language}.ftl`), 'utf8')];
-const ofPage = (/** @type {string} */ language) => catalogueOf(language).filter((text) => !text.includes('points-operator ='));
+const ofCrate = (/** @type {string} */ language) => [language, `${language}-report`].map((name) => readFileSync(join(CRATE, `${name}.ftl`), 'utf8'));
 
 test('both languages have the same texts, of the same figures', () => {
   assert.deepEqual(textsOf(ofPage('ar')), textsOf(ofPage('en')), 'of the page');
@@ -214,7 +220,9 @@ test('both languages have the same texts, of the same figures', () => {
 });
 
 test('every text can be written in both languages, with any number', () => {
-  const functions = Object.fromEntries(['COUNT', 'FIXED', 'AMOUNT', 'SIGNIFICANT', 'POWER', 'PERCENT', 'SIGN', 'HEX', 'LIKE'].map((name) => [name, () => '1']));
+  const functions = Object.fromEntries(
+    ['COUNT', 'NTH', 'FIXED', 'AMOUNT', 'SIGNIFICANT', 'POWER', 'PERCENT', 'SIGN', 'HEX', 'LIKE'].map((name) => [name, () => '1']),
+  );
   for (const language of ['en', 'ar'])
     for (const catalogues of [catalogueOf(language), ofCrate(language)]) {
       const bundle = new FluentBundle(language, { functions });

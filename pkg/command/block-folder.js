@@ -39,9 +39,13 @@ export class BlockFolder {
     [this.#out, this.#formats] = [out, formats];
   }
 
-  /** Writes all files.  @param {import('../node.js').FinishedBlock} block @param {import('../node.js').BlockScore | null} score @returns {Summary} */
-  write(block, score) {
-    const writing = block.files(this.#formats, score);
+  /**
+   * Writes all files.
+   * @param {import('../node.js').FinishedBlock} block @param {import('../node.js').BlockScore | null} score
+   * @param {string} [language] of the report @returns {Summary}
+   */
+  write(block, score, language) {
+    const writing = block.files(this.#formats, score, language);
     let summary = null;
     while (!summary) summary = writing.step((path, text) => this.#written.put(path, text));
     this.#written.finish();

@@ -18,7 +18,7 @@ import { about, DataError, UsageError } from './errors.js';
 import { exists, imagesIn, isFile, isFolder, readText, reasonOf } from './files.js';
 import { FolderStore } from './folder-store.js';
 import { noteElsewhere, onOrthophoto, ORTHOPHOTO_OPTIONS, orthophotoOf } from './on-orthophoto.js';
-import { BLOCK_NAMES, DEFAULT_WORKERS, JSON_FLAG, list, optionsOf, path, settingsOf, word, WORKERS } from './options.js';
+import { BLOCK_NAMES, DEFAULT_WORKERS, JSON_FLAG, LANGUAGE, languageOf, list, optionsOf, path, settingsOf, word, WORKERS } from './options.js';
 import { ThreadPool } from './pool.js';
 import { Progress } from './progress.js';
 
@@ -70,6 +70,7 @@ export const block = {
       'Scores the block by the truth of a simulated flight, after a similarity of the whole block onto it: where and how large it is as a whole does not count.',
     ),
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
+    LANGUAGE,
     WORKERS,
     JSON_FLAG,
     ...ORTHOPHOTO_OPTIONS,
@@ -124,7 +125,7 @@ async function run(call) {
     shown.end();
     const finished = reference ? await onOrthophoto(found, sources, reference) : found;
     const score = known && about(String(truth), () => finished.score(known));
-    return folder.tell(folder.write(finished, score), values.has('json'));
+    return folder.tell(folder.write(finished, score, languageOf(values)), values.has('json'));
   } finally {
     shown.end();
     await pool.close();

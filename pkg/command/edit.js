@@ -3,7 +3,7 @@ import { export_formats, FinishedBlock, project_kind } from '../node.js';
 import { BlockFolder, formatsOf } from './block-folder.js';
 import { about, DataError, UsageError } from './errors.js';
 import { readBytes, textOf } from './files.js';
-import { JSON_FLAG, list, path } from './options.js';
+import { JSON_FLAG, LANGUAGE, languageOf, list, path } from './options.js';
 import { note } from './output.js';
 
 /** So much of a project says what it holds; all of a large one would be too long for a text. */
@@ -22,6 +22,7 @@ export const edit = {
       'Edits in their order, in place of those of the project: [{"kind": "reject_observations", "observations": [{"point": {"tie_point": 7}, "image": 0}]}, …]; [] undoes all. Or the project of the same block as it was placed on an orthophoto before, whose edits are carried over.',
     ),
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
+    LANGUAGE,
     JSON_FLAG,
   ],
   details:
@@ -43,7 +44,7 @@ async function run({ positionals: [project = ''], values }) {
     formatsOf(values),
   );
   try {
-    return folder.tell(folder.write(block, null), values.has('json'));
+    return folder.tell(folder.write(block, null, languageOf(values)), values.has('json'));
   } finally {
     folder.release();
   }

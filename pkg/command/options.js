@@ -187,7 +187,11 @@ export const WORKERS = valueOption('workers');
 export const MASK = 'Grey image as large as the image itself: where it is 0 (black), no points are wanted';
 
 export const JSON_FLAG = flag('json', 'Prints one JSON object in full precision in place of a table.');
+export const LANGUAGE = word('language', ['en', 'ar'], 'Language of report.html; everything else is English.', 'en');
 export const HELP_FLAG = flag('help', 'Prints this text.');
+
+/** The language of the report: of {@link LANGUAGE}, or absent.  @param {ReadonlyMap<string, Value>} values @returns {string | undefined} */
+export const languageOf = (values) => /** @type {string | undefined} */ (values.get(LANGUAGE.name));
 
 /** The options of a pair, by the groups of their settings. */
 const PAIR = optionsOf(parameters(), defaults());

@@ -4,7 +4,7 @@ import { basename } from 'node:path';
 import { checkSize } from './block-camera.js';
 import { UsageError } from './errors.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
-import { JSON_FLAG, path, SETTING_OPTIONS, settingsOf } from './options.js';
+import { JSON_FLAG, LANGUAGE, languageOf, path, SETTING_OPTIONS, settingsOf } from './options.js';
 import { print, printJson } from './output.js';
 import { inputOf, MASK_OPTIONS, masksOf, PAIR_OPTIONS } from './pair.js';
 import { Progress } from './progress.js';
@@ -15,6 +15,7 @@ const OPTIONS = [
   ...PAIR_OPTIONS,
   ...MASK_OPTIONS,
   path('truth', 'FILE', 'truth.json of a simulated pair, or its folder: matches and orientation are compared with it.'),
+  LANGUAGE,
   JSON_FLAG,
   ...SETTING_OPTIONS,
 ];
@@ -35,7 +36,7 @@ export const report = {
     } = call;
     const { input, ofBlock } = inputOf(call);
     const settings = settingsOf(OPTIONS, values, defaults());
-    const [out, truthPath] = [values.get('out'), values.get('truth')];
+    const [out, truthPath, language] = [values.get('out'), values.get('truth'), languageOf(values)];
     if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the report');
     const truth = typeof truthPath === 'string' ? readTruth(truthPath) : null;
     makeFolder(out);
@@ -48,7 +49,7 @@ export const report = {
     const made = new Report(left, right, [basename(leftPath), basename(rightPath)], input, settings, truth, ...masksOf(call, left, right));
     const progress = new Progress({ steps: made.steps().length + 1 });
     for (const step of made.steps()) progress.step(`matching: ${step}`, () => made.step());
-    const file = progress.step('writing', () => writeInto(out, 'report.html', made.html()));
+    const file = progress.step('writing', () => writeInto(out, 'report.html', made.html(language)));
     progress.end();
     if (values.has('json')) printJson({ file });
     else print(`written: ${file}`);

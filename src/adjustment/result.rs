@@ -5,6 +5,7 @@ use super::left_out::LeftOut;
 use super::options::Datum;
 use super::systematic_result::SystematicResult;
 use crate::CameraParameter;
+use crate::message::messages;
 use serde::{Deserialize, Serialize};
 
 /// An adjusted block with its precision and reliability.
@@ -74,35 +75,26 @@ impl AdjustmentResult {
     }
 }
 
-/// Observations whose standard errors are stated together.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum ObservationGroup {
-    /// Image measurements of control and check points, and those by hand.
-    Marks,
-    /// X and Y of GNSS positions.
-    GnssPlan,
-    /// Z of GNSS positions.
-    GnssHeight,
-    /// X and Y of control points.
-    ControlPlan,
-    /// Z of control points.
-    ControlHeight,
+messages! {
+    /// Observations whose standard errors are stated together.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum ObservationGroup as "observation_group" {
+        /// Image measurements of control and check points, and those by hand.
+        Marks,
+        /// X and Y of GNSS positions.
+        GnssPlan,
+        /// Z of GNSS positions.
+        GnssHeight,
+        /// X and Y of control points.
+        ControlPlan,
+        /// Z of control points.
+        ControlHeight,
+    }
 }
 
 impl ObservationGroup {
-    /// In words.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Marks => "image measurements",
-            Self::GnssPlan => "GNSS positions, horizontal",
-            Self::GnssHeight => "GNSS positions, vertical",
-            Self::ControlPlan => "control points, horizontal",
-            Self::ControlHeight => "control points, vertical",
-        }
-    }
-
     pub(super) const ALL: [Self; 5] = [Self::Marks, Self::GnssPlan, Self::GnssHeight, Self::ControlPlan, Self::ControlHeight];
 }
 

@@ -1,6 +1,7 @@
 //! What an adjustment says of systematic errors of GNSS positions.
 
 use super::strips::Strip;
+use crate::message::messages;
 use serde::{Deserialize, Serialize};
 
 /// The systematic errors of GNSS positions that were to be estimated.
@@ -18,55 +19,36 @@ pub struct SystematicResult {
     pub left_out: Vec<usize>,
 }
 
-/// An error that GNSS positions have in common, with three values in the unit of the positions: metres in a georeferenced block.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum SystematicError {
-    /// From the projection centre to the antenna in the axes of the camera: x right, y up, z against the direction of view.
-    LeverArm { camera: usize },
-    /// X, Y, Z that are added to all positions.
-    Offset,
-    /// X, Y, Z that are added to the positions of a strip: in its middle, where it has a drift.
-    StripOffset { strip: usize },
-    /// By how much the error of the positions of a strip grows from its first image to its last.
-    StripDrift { strip: usize },
-}
-
-impl SystematicError {
-    /// In words.
-    pub fn label(self) -> String {
-        match self {
-            Self::LeverArm { camera } => format!("lever arm of camera {}", camera + 1),
-            Self::Offset => "offset of GNSS positions".into(),
-            Self::StripOffset { strip } => format!("GNSS offset of strip {}", strip + 1),
-            Self::StripDrift { strip } => format!("GNSS drift of strip {}", strip + 1),
-        }
+messages! {
+    /// An error that GNSS positions have in common, with three values in the unit of the positions: metres in a georeferenced block.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum SystematicError as "systematic_error" {
+        /// From the projection centre to the antenna in the axes of the camera: x right, y up, z against the direction of view.
+        LeverArm { camera: usize },
+        /// X, Y, Z that are added to all positions.
+        Offset,
+        /// X, Y, Z that are added to the positions of a strip: in its middle, where it has a drift.
+        StripOffset { strip: usize },
+        /// By how much the error of the positions of a strip grows from its first image to its last.
+        StripDrift { strip: usize },
     }
 }
 
-impl SystematicVerdict {
-    /// In words.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Kept => "kept",
-            Self::NotSignificant => "not significant, zero",
-            Self::Undetermined => "not determined, zero",
-        }
+messages! {
+    /// What became of a systematic error.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum SystematicVerdict as "systematic_verdict" {
+        /// It differs from zero by more than chance: positions are corrected by it.
+        Kept,
+        /// It does not: it is zero.
+        NotSignificant,
+        /// Nothing determines it: it is zero.
+        Undetermined,
     }
-}
-
-/// What became of a systematic error.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum SystematicVerdict {
-    /// It differs from zero by more than chance: positions are corrected by it.
-    Kept,
-    /// It does not: it is zero.
-    NotSignificant,
-    /// Nothing determines it: it is zero.
-    Undetermined,
 }
 
 /// A systematic error as the adjustment has it, or had it before it was fixed at zero.

@@ -1488,3 +1488,31 @@ refusal-accuracy-cell = ضلع خلية الخريطة: أُعطي { $cell }؛ �
 refusal-covariance-name = اسم تباين مشترك: أُعطي { $name }؛ المسموح: أسماء صور موجَّهة ونقاط ضبط أرضي وتحقق مضبوطة، وpoint:N كما في points.csv، وcamera:N كما في images.csv، أو all
 
 ## What is computed.
+
+## Of the adjustment of a block: observations whose standard errors are stated together, and systematic errors of GNSS positions.
+
+observation-group-marks = القياسات الصورية
+observation-group-gnss-plan = مواضع GNSS، الأفقية
+observation-group-gnss-height = مواضع GNSS، الارتفاعات
+observation-group-control-plan = نقاط الضبط، الأفقية
+observation-group-control-height = نقاط الضبط، الارتفاعات
+
+# Cameras and strips are counted from 0: NTH gives the number that people count by.
+systematic-error-lever-arm = ذراع الهوائي للكاميرا { NTH($camera) }
+systematic-error-offset = إزاحة مواضع GNSS
+systematic-error-strip-offset = إزاحة GNSS لخط الطيران { NTH($strip) }
+systematic-error-strip-drift = انجراف GNSS لخط الطيران { NTH($strip) }
+
+systematic-verdict-kept = باقٍ
+systematic-verdict-not-significant = غير ذي دلالة، صفر
+systematic-verdict-undetermined = غير محدَّد، صفر
+
+## The steps of the report of a pair.
+
+report-step-this-run = هذا التشغيل
+report-step-this-run-edited = هذا التشغيل، معدَّلًا
+report-step-moments = العزوم
+report-step-invariants = اللامتغيرات
+report-step-correlation = الارتباط
+report-step-least-squares = المربعات الصغرى
+report-step-gradients = التدرجات

@@ -1492,3 +1492,31 @@ place-search-beyond-gnss = Not found within { FIXED($within_m, digits: 0) } m of
 placing-verdict-placed = Placed by { $links } points, σ0 { FIXED($sigma0_px, digits: 2) } px; projection centre ± { SIGNIFICANT($half_width_m, digits: 2) } m (95 %).
 placing-verdict-weak = Placed with doubt by { $links } points. { $placing_weakness }
 placing-verdict-not-placed = Not placed: { $not_placed }.
+
+## Of the adjustment of a block: observations whose standard errors are stated together, and systematic errors of GNSS positions.
+
+observation-group-marks = image measurements
+observation-group-gnss-plan = GNSS positions, horizontal
+observation-group-gnss-height = GNSS positions, vertical
+observation-group-control-plan = control points, horizontal
+observation-group-control-height = control points, vertical
+
+# Cameras and strips are counted from 0: NTH gives the number that people count by.
+systematic-error-lever-arm = lever arm of camera { NTH($camera) }
+systematic-error-offset = offset of GNSS positions
+systematic-error-strip-offset = GNSS offset of strip { NTH($strip) }
+systematic-error-strip-drift = GNSS drift of strip { NTH($strip) }
+
+systematic-verdict-kept = kept
+systematic-verdict-not-significant = not significant, zero
+systematic-verdict-undetermined = not determined, zero
+
+## The steps of the report of a pair.
+
+report-step-this-run = this run
+report-step-this-run-edited = this run, edited
+report-step-moments = moments
+report-step-invariants = invariants
+report-step-correlation = correlation
+report-step-least-squares = least squares
+report-step-gradients = gradients

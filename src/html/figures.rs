@@ -1,6 +1,8 @@
 //! Drawings of reports: histogram, matrix of correlations.
 
 use super::numbers::fixed;
+use super::words::quantity;
+use crate::Texts;
 use maud::{Markup, html};
 
 const WIDTH: f64 = 420.0;
@@ -8,7 +10,7 @@ const HEIGHT: f64 = 130.0;
 const BINS: usize = 41;
 
 /// A histogram of values about 0, of `reach` to either side; what lies beyond is counted in the outermost bins.
-pub(crate) fn histogram(values: &[f64], reach: f64, unit: &str, words: &str) -> Markup {
+pub(crate) fn histogram(texts: &Texts, values: &[f64], reach: f64, unit: &str, words: &str) -> Markup {
     let mut counts = [0usize; BINS];
     for value in values {
         let place = ((value / reach + 1.0) * 0.5 * BINS as f64).clamp(0.0, BINS as f64 - 1.0);
@@ -25,9 +27,9 @@ pub(crate) fn histogram(values: &[f64], reach: f64, unit: &str, words: &str) -> 
                     rect.bar x=(format!("{:.1}", bin as f64 * width)) y=(format!("{:.1}", HEIGHT - height)) width=(format!("{:.1}", width - 1.0)) height=(format!("{height:.1}")) {}
                 }
                 path.axis d=(format!("M0 {HEIGHT}h{WIDTH}")) {}
-                text x="0" y=(HEIGHT + 14.0) { (fixed(-reach, 2)) " " (unit) }
+                text x="0" y=(HEIGHT + 14.0) { (quantity(texts, fixed(-reach, 2), unit)) }
                 text.middle x=(WIDTH / 2.0) y=(HEIGHT + 14.0) { "0" }
-                text.end x=(WIDTH) y=(HEIGHT + 14.0) { (fixed(reach, 2)) " " (unit) }
+                text.end x=(WIDTH) y=(HEIGHT + 14.0) { (quantity(texts, fixed(reach, 2), unit)) }
             }
         }
     }

@@ -83,10 +83,12 @@ pub(crate) fn count(value: usize) -> String {
 /// A sentence as reports write its numbers: in groups of three, with their minus, and σ₀ with its index.
 pub(crate) fn typeset(text: &str) -> String {
     let word = |word: &str| {
-        let core = word.trim_end_matches(['.', ',', ';', ':', ')']);
+        // A figure may be set apart by marks of direction.
+        let begun = word.trim_start_matches('\u{2068}');
+        let core = begun.trim_end_matches(['.', ',', ';', ':', ')', '،', '؛', '\u{2069}']);
         match core.parse::<usize>() {
-            Ok(number) if core.len() > 3 => format!("{}{}", count(number), &word[core.len()..]),
-            _ if word.starts_with('-') && word[1..].starts_with(|c: char| c.is_ascii_digit()) => word.replacen('-', "−", 1),
+            Ok(number) if core.len() > 3 => word.replacen(core, &count(number), 1),
+            _ if begun.starts_with('-') && begun[1..].starts_with(|c: char| c.is_ascii_digit()) => word.replacen('-', "−", 1),
             _ => word.replace("σ0", "σ₀"),
         }
     };
@@ -106,6 +108,10 @@ mod tests {
         assert_eq!(
             typeset("Oriented from 5131 points, σ0 0.09 px; by -0.147° ± 0.018° (95 %), of 12345, not IMG-2024."),
             "Oriented from 5\u{202f}131 points, σ₀ 0.09 px; by −0.147° ± 0.018° (95 %), of 12\u{202f}345, not IMG-2024."
+        );
+        assert_eq!(
+            typeset("من \u{2068}5131\u{2069}، بمقدار \u{2068}-0.1°\u{2069}"),
+            "من \u{2068}5\u{202f}131\u{2069}، بمقدار \u{2068}−0.1°\u{2069}"
         );
     }
 

@@ -2,6 +2,7 @@
 
 mod declare;
 mod family;
+mod said;
 mod texts;
 
 pub(crate) use declare::{messages, written};

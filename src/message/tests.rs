@@ -6,9 +6,10 @@ use crate::json::{JsonFault, JsonKind};
 use crate::{
     Allowed, Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, ControlApart, Damage, Degeneracy,
     DescribedBy, Document, Element, Error, Failure, Few, FileFault, FileKind, FilePlace, ImageFault, ImageOperation, ImageReason, Input,
-    Interruption, KnownWorst, LengthUnit, Location, Mistake, NamedCamera, NoGeometry, NoOrientation, NotLinked, NotPlaced, Observed,
-    OnOrthophoto, OverviewWarning, PairHint, PairOutcome, PairRule, PairVerdict, PlaceSearch, PlaceSlip, PlacingVerdict, PlacingWeakness,
-    PointName, Refusal, Remark, Rule, Side, UnorientedReason, Unsettled, Unsupported, Warning,
+    Interruption, KnownWorst, LengthUnit, Location, Mistake, NamedCamera, NoGeometry, NoOrientation, NotLinked, NotPlaced,
+    ObservationGroup, Observed, OnOrthophoto, OverviewWarning, PairHint, PairOutcome, PairRule, PairVerdict, PlaceSearch, PlaceSlip,
+    PlacingVerdict, PlacingWeakness, PointName, Refusal, Remark, ReportStep, Rule, Side, SystematicError, SystematicVerdict,
+    UnorientedReason, Unsettled, Unsupported, Warning,
 };
 use crate::{CameraCaution, CameraOrigin};
 use serde_json::json;
@@ -89,6 +90,10 @@ fn families() -> Vec<Family> {
         family::<PlacingWeakness>(),
         family::<Observed>(),
         family::<OverviewWarning>(),
+        family::<ObservationGroup>(),
+        family::<SystematicError>(),
+        family::<SystematicVerdict>(),
+        family::<ReportStep>(),
         family::<PairOutcome>(),
         family::<PairRule>(),
         family::<Remark>(),

@@ -65,18 +65,23 @@ pub struct Texts {
     bundle: FluentBundle<FluentResource>,
 }
 
+const ENGLISH: &str = concat!(include_str!("../catalogue/en.ftl"), include_str!("../catalogue/en-report.ftl"));
+/// Options have their English where they are declared.
+const ARABIC: &str =
+    concat!(include_str!("../catalogue/ar.ftl"), include_str!("../catalogue/ar-report.ftl"), include_str!("../catalogue/ar-options.ftl"));
+
 impl Texts {
     /// Of English.
     pub fn english() -> &'static Self {
-        static ENGLISH: OnceLock<Texts> = OnceLock::new();
-        ENGLISH.get_or_init(|| Self::new("en", include_str!("../catalogue/en.ftl")))
+        static TEXTS: OnceLock<Texts> = OnceLock::new();
+        TEXTS.get_or_init(|| Self::new("en", ENGLISH))
     }
 
     /// Of Arabic. What a text writes is set apart by marks of direction: names, units and signs keep theirs among words from right to left.
     pub fn arabic() -> &'static Self {
-        static ARABIC: OnceLock<Texts> = OnceLock::new();
-        ARABIC.get_or_init(|| {
-            let mut texts = Self::new("ar", include_str!("../catalogue/ar.ftl"));
+        static TEXTS: OnceLock<Texts> = OnceLock::new();
+        TEXTS.get_or_init(|| {
+            let mut texts = Self::new("ar", ARABIC);
             texts.bundle.set_use_isolating(true);
             texts
         })
@@ -133,7 +138,6 @@ impl Texts {
     }
 
     /// Whether there is a text of a message, or an attribute of it.
-    #[cfg_attr(not(target_arch = "wasm32"), allow(dead_code))]
     pub(crate) fn has(&self, id: &str, attribute: Option<&str>) -> bool {
         let entry = self.bundle.get_message(id);
         entry.is_some_and(|entry| match attribute {
@@ -142,7 +146,7 @@ impl Texts {
         })
     }
 
-    fn entry(&self, id: &str, attribute: Option<&str>, figures: &FluentArgs) -> String {
+    pub(super) fn entry(&self, id: &str, attribute: Option<&str>, figures: &FluentArgs) -> String {
         let entry = self.bundle.get_message(id);
         let pattern = entry.and_then(|entry| match attribute {
             None => entry.value(),
@@ -195,9 +199,10 @@ impl Texts {
 /// How a number is written, by its digits.
 type Format = fn(f64, usize) -> String;
 
-/// The functions of catalogues beside [`like`]: hexadecimal digits; digits after the point, the same without a sign, significant digits, and powers of ten;
+/// The functions of catalogues beside [`like`]: the number of what is counted from 0, as people count it; hexadecimal digits; digits after the point, the same without a sign, significant digits, and powers of ten;
 /// a share in per cent; `minus` or `plus`, for texts that have a word for each.
-pub(super) const FORMATS: [(&str, Format); 7] = [
+pub(super) const FORMATS: [(&str, Format); 8] = [
+    ("NTH", |value, _| format!("{:.0}", value + 1.0)),
     ("HEX", |value, digits| format!("{:0digits$x}", value as u64)),
     ("FIXED", |value, digits| format!("{value:.digits$}")),
     ("AMOUNT", |value, digits| format!("{:.digits$}", value.abs())),

@@ -11,7 +11,7 @@ use super::tables::word;
 use super::{tables, write_block_project};
 use crate::{
     BlockModel, BlockRun, BlockScore, Camera, Document, Error, ExportFormat, Factors95, GeographicOrigin, ModelImage, Pose, Reconstruction,
-    export_block,
+    Texts, export_block,
 };
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -27,18 +27,18 @@ const FIXED: [&str; 9] =
 type Emit<'a> = &'a mut dyn FnMut(&str, &str) -> Result<(), Error>;
 
 /// The files of a block in steps of about one file, between which a caller may break off.
-#[derive(Debug)]
-pub struct BlockFiles {
+pub struct BlockFiles<'t> {
+    texts: &'t Texts,
     formats: Vec<ExportFormat>,
     score: Option<BlockScore>,
     outcomes: Vec<ExportOutcome>,
     step: usize,
 }
 
-impl BlockFiles {
-    /// Writes nothing yet. `score`: what the summary holds of a simulated block.
-    pub fn new(formats: &[ExportFormat], score: Option<BlockScore>) -> Self {
-        Self { formats: formats.to_vec(), score, outcomes: Vec::new(), step: 0 }
+impl<'t> BlockFiles<'t> {
+    /// Writes nothing yet. `score`: what the summary holds of a simulated block; `texts`: those of the report.
+    pub fn new(formats: &[ExportFormat], score: Option<BlockScore>, texts: &'t Texts) -> Self {
+        Self { texts, formats: formats.to_vec(), score, outcomes: Vec::new(), step: 0 }
     }
 
     /// Writes the next files of the block, which is the same in each step; gives the summary after the last one.
@@ -58,7 +58,7 @@ impl BlockFiles {
         } else {
             let (pairs, groups) = pair_rows(run)?;
             let found = summary(run, &pairs, &groups, &self.outcomes, self.score);
-            emit("report.html", &block_report(run, &found, &pairs))?;
+            emit("report.html", &block_report(self.texts, run, &found, &pairs))?;
             emit("summary.json", &(json(&found, true)? + "\n"))?;
             return Ok(Some(found));
         }
@@ -67,12 +67,13 @@ impl BlockFiles {
 }
 
 /// Writes all files of a block: its project, its tables, its report, its summary, and what other programs read, in a folder for each format. `emit` takes
-/// the path, relative to the folder of the block and with slashes, and the text of each file in turn.
+/// the path, relative to the folder of the block and with slashes, and the text of each file in turn. The report is in English; in another language
+/// [`BlockFiles`] writes it.
 ///
 /// # Errors
 /// Those of `emit`. A format that the block cannot be written in is named in the summary, and the others are written.
 pub fn block_files(run: &BlockRun, formats: &[ExportFormat], score: Option<BlockScore>, emit: Emit<'_>) -> Result<Summary, Error> {
-    let mut files = BlockFiles::new(formats, score);
+    let mut files = BlockFiles::new(formats, score, Texts::english());
     loop {
         if let Some(summary) = files.step(run, emit)? {
             return Ok(summary);

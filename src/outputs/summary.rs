@@ -193,11 +193,11 @@ pub struct ModelSummary {
 }
 
 /// What the residuals say of the stated standard errors of some observations.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ComponentSummary {
     /// Of which, in words.
-    pub name: &'static str,
+    pub name: String,
     #[serde(flatten)]
     pub component: VarianceComponent,
 }
@@ -226,7 +226,7 @@ impl SystematicSummary {
             SystematicError::LeverArm { .. } | SystematicError::Offset => Vec::new(),
         };
         let of_error = |statistics: &SystematicStatistics| Self {
-            name: statistics.error.label(),
+            name: statistics.error.to_string(),
             images: images(statistics.error),
             statistics: *statistics,
         };
@@ -418,7 +418,7 @@ fn model_summary(model: &ReconstructedModel, shown: &InSystem<'_>, name: impl Fn
         components: adjusted
             .components
             .iter()
-            .map(|component| ComponentSummary { name: component.group.label(), component: *component })
+            .map(|component| ComponentSummary { name: component.group.to_string(), component: *component })
             .collect(),
         systematic: SystematicSummary::of_model(model, &name),
         checks: CheckSummary::of(&shown.points_of(model)),

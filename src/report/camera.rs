@@ -1,7 +1,7 @@
 //! The cameras of both photos: what was known of them and where from, and what the orientation tells.
 
 use super::steps::Report;
-use crate::html::plus_minus;
+use crate::html::{in_unit, plus_minus, said};
 use crate::{
     CameraMm, CameraUncertainty, Error, EstimatedCamera, Interior, KnownPhoto, PairCameras, PairInterior, PhotoInput, RelativeOrientation,
     Texts,
@@ -70,7 +70,7 @@ struct Column {
 }
 
 /// Both cameras; nothing where none is known or assumed.
-pub fn cameras(report: &Report) -> Result<Markup, Error> {
+pub fn cameras(texts: &Texts, report: &Report) -> Result<Markup, Error> {
     let result = &report.studies[0].result;
     let Some(interior) = &result.interior else { return Ok(html! {}) };
     let photos: [KnownPhoto<'_>; 2] = [(0, &report.input.left), (1, &report.input.right)].map(|(k, photo)| known(report, k, photo));
@@ -87,9 +87,9 @@ pub fn cameras(report: &Report) -> Result<Markup, Error> {
             let (interiors, cameras, is_turned) = estimated;
             Constants::after(&interiors[side], &cameras[side], *is_turned)
         });
-        Column { origin: origin(report, side, own), pixel_mm, states: std::iter::once(before).chain(after).collect() }
+        Column { origin: origin(texts, report, side, own), pixel_mm, states: std::iter::once(before).chain(after).collect() }
     };
-    Ok(table(&[column(0), column(1)], estimated.is_some()))
+    Ok(table(texts, &[column(0), column(1)], estimated.is_some()))
 }
 
 fn known<'a>(report: &'a Report, side: usize, photo: &PhotoInput) -> KnownPhoto<'a> {
@@ -109,17 +109,17 @@ fn estimated(interior: &PairInterior, oriented: &RelativeOrientation) -> Option<
 }
 
 /// Where the camera of a photo comes from.
-fn origin(report: &Report, side: usize, known: Option<&CameraMm>) -> String {
+fn origin(texts: &Texts, report: &Report, side: usize, known: Option<&CameraMm>) -> String {
     let image = &report.images[side];
     match (known, &report.input.camera, &image.exif) {
-        (Some(_), Some(_), _) => "given".into(),
+        (Some(_), Some(_), _) => texts.say("report-camera-given"),
         (Some(_), None, Some(exif)) => {
             let size = [image.grey.width() as u32, image.grey.height() as u32];
-            format!("{}: {}", Texts::english().text(&exif.origin), exif.label(size))
+            texts.with("report-origin", [("origin", said(texts, &exif.origin)), ("camera", exif.label(size))])
         }
         _ => match &report.studies[0].result.geometry {
-            Some(Ok(found)) if found.focal.is_some() => "not known: a focal length by the geometry of the two views".into(),
-            _ => "not known: that of most photographs is assumed".into(),
+            Some(Ok(found)) if found.focal.is_some() => texts.say("report-focal-by-geometry"),
+            _ => texts.say("report-camera-assumed"),
         },
     }
 }
@@ -127,38 +127,40 @@ fn origin(report: &Report, side: usize, known: Option<&CameraMm>) -> String {
 /// A quantity of the table: its name, and its value and error of a camera with pixels of so many mm.
 type Quantity = (String, Box<dyn Fn(&Constants, Option<f64>) -> Option<Constant>>);
 
-fn quantities(columns: &[Column; 2]) -> Vec<Quantity> {
+fn quantities(texts: &Texts, columns: &[Column; 2]) -> Vec<Quantity> {
     let scaled = |(value, error): Constant, by: f64| (by * value, error.map(|error| by * error));
+    let focal_length = texts.say("report-focal-length");
     let mut all: Vec<Quantity> = vec![
-        ("Focal length, mm".into(), Box::new(move |c, pixel| Some(scaled(c.focal_px, pixel?)))),
-        ("Focal length, px".into(), Box::new(|c, _| Some(c.focal_px))),
+        (in_unit(texts, &focal_length, "mm"), Box::new(move |c, pixel| Some(scaled(c.focal_px, pixel?)))),
+        (in_unit(texts, &focal_length, "px"), Box::new(|c, _| Some(c.focal_px))),
     ];
     for (k, axis) in ["x", "y"].into_iter().enumerate() {
-        all.push((format!("Principal point {axis}, mm"), Box::new(move |c, pixel| Some(scaled(c.principal_point_px[k], pixel?)))));
-        all.push((format!("Principal point {axis}, px"), Box::new(move |c, _| Some(c.principal_point_px[k]))));
+        let point = texts.with("report-principal-point", [("axis", axis.into())]);
+        all.push((in_unit(texts, &point, "mm"), Box::new(move |c, pixel| Some(scaled(c.principal_point_px[k], pixel?)))));
+        all.push((in_unit(texts, &point, "px"), Box::new(move |c, _| Some(c.principal_point_px[k]))));
     }
     for (k, name) in ["k1", "k2", "k3", "p1", "p2"].into_iter().enumerate() {
         let is_there = columns.iter().flat_map(|column| &column.states).any(|state| state.distortion[k].0 != 0.0);
         if k == 0 || is_there {
-            all.push((format!("Distortion {name}"), Box::new(move |c, _| Some(c.distortion[k]))));
+            all.push((texts.with("report-distortion", [("term", name.into())]), Box::new(move |c, _| Some(c.distortion[k]))));
         }
     }
     let is_known = |quantity: &Quantity| columns.iter().any(|column| (quantity.1)(&column.states[0], column.pixel_mm).is_some());
     all.into_iter().filter(is_known).collect()
 }
 
-fn table(columns: &[Column; 2], is_estimated: bool) -> Markup {
+fn table(texts: &Texts, columns: &[Column; 2], is_estimated: bool) -> Markup {
     let per_photo = if is_estimated { 2 } else { 1 };
     html! {
         table tabindex="0" {
-            caption { "Cameras" }
+            caption { (texts.say("report-cameras")) }
             thead {
-                tr { td {} @for name in ["Left", "Right"] { th colspan=(per_photo) { (name) } } }
-                @if is_estimated { tr { td {} @for _ in columns { th { "as it was known" } th { "estimated" } } } }
+                tr { td {} @for name in ["report-left", "report-right"] { th colspan=(per_photo) { (texts.say(name)) } } }
+                @if is_estimated { tr { td {} @for _ in columns { th { (texts.say("report-as-known")) } th { (texts.say("report-estimated")) } } } }
             }
             tbody {
-                tr { th { "From" } @for column in columns { td.words colspan=(per_photo) { (column.origin) } } }
-                @for (name, of) in quantities(columns) {
+                tr { th { (texts.say("report-from")) } @for column in columns { td.words colspan=(per_photo) { (column.origin) } } }
+                @for (name, of) in quantities(texts, columns) {
                     tr {
                         th { (name) }
                         @for column in columns { @for state in &column.states { td { (written(of(state, column.pixel_mm))) } } }
@@ -167,13 +169,10 @@ fn table(columns: &[Column; 2], is_estimated: bool) -> Markup {
             }
         }
         p.note {
-            "±: standard errors; a constant without one is taken as free of errors. "
-            @if is_estimated { "Estimated: together with the orientation, from the matches and from what was known. " }
-            "The principal point is counted from the middle of the image, or in the system of the fiducial marks, x to the right and y up. Distortion: terms of "
-            "Brown's correction in units of the focal length, so that k1 is the share by which it moves a point at 45°."
-            @if columns.iter().any(|column| column.pixel_mm.is_none()) {
-                " The size of a pixel is not known: where other tables have mm, a pixel is taken to be 0.001 mm large."
-            }
+            (texts.say("report-camera-errors")) " "
+            @if is_estimated { (texts.say("report-camera-estimated")) " " }
+            (texts.say("report-camera-axes"))
+            @if columns.iter().any(|column| column.pixel_mm.is_none()) { " " (texts.say("report-pixel-unknown")) }
         }
     }
 }

@@ -1,22 +1,19 @@
 //! Drawing of the report: error ellipse of the base.
 
-use crate::ErrorEllipse;
 use crate::html::significant;
+use crate::{ErrorEllipse, Texts};
 use maud::{Markup, html};
 
 /// The standard error ellipse of by and bz; a cross where the truth lies.
-pub fn ellipse(ellipse: &ErrorEllipse, error: Option<[f64; 2]>) -> Markup {
+pub fn ellipse(texts: &Texts, ellipse: &ErrorEllipse, error: Option<[f64; 2]>) -> Markup {
     let far = error.map_or(0.0, |[x, y]| x.abs().max(y.abs()));
     let scale = 70.0 / (2.0 * ellipse.semi_major).max(1.15 * far).max(f64::MIN_POSITIVE);
     let turned = format!("rotate({:.2})", -ellipse.bearing_deg);
-    let words = format!(
-        "by, bz: standard error ellipse {} × {} µm",
-        significant(1000.0 * ellipse.semi_major),
-        significant(1000.0 * ellipse.semi_minor)
-    );
+    let axes = format!("{} × {}", significant(1000.0 * ellipse.semi_major), significant(1000.0 * ellipse.semi_minor));
+    let words = texts.with("report-error-ellipse", [("axes", axes)]);
     html! {
         figure {
-            figcaption { (words) "; dashed: twice as large, 2 standard errors" @if error.is_some() { "; cross: truth" } }
+            figcaption { (words) (texts.say("report-ellipse-dashed")) @if error.is_some() { (texts.say("report-ellipse-cross")) } }
             svg.ellipse viewBox="-80 -80 160 160" role="img" aria-label=(words) {
                 path.axis d="M-80 0h160M0 -80v160" {}
                 @for (factor, class) in [(1.0, "outline"), (2.0, "outline faint")] {

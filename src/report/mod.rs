@@ -2,11 +2,13 @@
 
 mod camera;
 mod details;
+mod differences;
 mod figures;
 mod input;
 mod page;
 mod paper;
 mod picture;
+mod step;
 mod steps;
 mod study;
 mod tables;
@@ -14,4 +16,5 @@ mod unknowns;
 
 pub use input::{ReportEdits, ReportImage, ReportTruth};
 pub use paper::{PAPER, Paper, PrintedOrientation};
+pub use step::ReportStep;
 pub use steps::Report;

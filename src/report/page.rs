@@ -3,88 +3,91 @@
 use super::input::ReportImage;
 use super::picture::{self, Layer};
 use super::steps::Report;
-use super::{camera, details, tables};
-use crate::html::{count, dots, fixed, page, percent, settings_table, typeset};
-use crate::{Error, GreyImage, PairSettings};
+use super::{camera, details, differences, tables};
+use crate::html::{count, dots, fixed, footer, page, percent, said, settings_table, typeset};
+use crate::{Error, GreyImage, PairSettings, Texts};
 use maud::{Markup, html};
 
 impl Report {
-    /// The page. Does the steps that are left.
+    /// The page in the language of these texts. Does the steps that are left.
     ///
     /// # Errors
     /// As [`step`](Self::step).
-    pub fn html(&mut self) -> Result<String, Error> {
+    pub fn html(&mut self, texts: &Texts) -> Result<String, Error> {
         while self.step()? {}
-        Ok(self.page()?.into_string())
+        Ok(self.page(texts)?.into_string())
     }
 
-    fn page(&self) -> Result<Markup, Error> {
+    fn page(&self, texts: &Texts) -> Result<Markup, Error> {
         let [left, right] = &self.images;
         let run = &self.studies[0];
         let content = html! {
-            (self.summary())
-            h2 { "Images, points and matches" }
-            (self.pictures())
-            h2 { "All strategies" }
-            (tables::counts(self))
-            (tables::refusals(self))
-            @if self.truth.is_some() { (tables::scores(self)) }
-            (tables::standard_errors(self))
-            (tables::orientations(self))
-            (tables::differences(self))
-            h2 { "Interior orientation" }
-            (camera::cameras(self)?)
-            (details::interior(self)?)
-            h2 { "Relative orientation of this run" }
+            (self.summary(texts))
+            h2 { (texts.say("report-images-points-and-matches")) }
+            (self.pictures(texts))
+            h2 { (texts.say("report-all-strategies")) }
+            (tables::counts(texts, self))
+            (tables::refusals(texts, self))
+            @if self.truth.is_some() { (tables::scores(texts, self)) }
+            (tables::standard_errors(texts, self))
+            (tables::orientations(texts, self))
+            (differences::differences(texts, self))
+            h2 { (texts.say("report-interior-orientation")) }
+            (camera::cameras(texts, self)?)
+            (details::interior(texts, self)?)
+            h2 { (texts.say("report-relative-orientation")) }
             @match &run.result.orientation {
                 Ok(orientation) => {
-                    (details::precision(self, orientation))
-                    h2 { "Residuals" }
-                    (details::residuals(self, orientation))
-                    h2 { "Reliability" }
-                    (details::reliability(self, orientation))
+                    (details::precision(texts, self, orientation))
+                    h2 { (texts.say("report-residuals")) }
+                    (details::residuals(texts, self, orientation))
+                    h2 { (texts.say("report-reliability")) }
+                    (details::reliability(texts, self, orientation))
                 }
-                Err(reason) => p { "Not oriented: " (reason) "." }
+                Err(reason) => p { (texts.with("report-not-oriented", [("reason", said(texts, reason))])) }
             }
-            h2 { "Parameters" }
-            (settings_table(PairSettings::parameters(), &self.settings, &PairSettings::default()))
-            footer { "Tiepoint " (env!("CARGO_PKG_VERSION")) ". The same images and parameters give the same report." }
+            h2 { (texts.say("report-settings")) }
+            (settings_table(texts, PairSettings::parameters(), &self.settings, &PairSettings::default()))
+            (footer(texts))
         };
-        Ok(page(&format!("Tiepoint report: {}, {}", left.name, right.name), &content))
+        let title = texts.with("report-title", [("left", left.name.clone()), ("right", right.name.clone())]);
+        Ok(page(texts, &title, &content))
     }
 
-    fn summary(&self) -> Markup {
+    fn summary(&self, texts: &Texts) -> Markup {
         let run = &self.studies[0];
-        let size = |image: &ReportImage| format!("{}: {} × {} px", image.name, count(image.grey.width()), count(image.grey.height()));
-        let matches = &run.result.matching.matches;
+        let size = |image: &ReportImage| {
+            let size = format!("{} × {}", count(image.grey.width()), count(image.grey.height()));
+            texts.with("report-size", [("name", image.name.clone()), ("size", size)])
+        };
+        let [left, right] = self.images.each_ref().map(size);
+        let matches = run.result.matching.matches.len();
         html! {
             ul.summary {
-                li { "Left " (size(&self.images[0])) "; right " (size(&self.images[1])) "." }
-                @for (image, side) in self.images.iter().zip(["left", "right"]) {
+                li { (texts.with("report-sizes", [("left", left), ("right", right)])) }
+                @for (image, name) in self.images.iter().zip(["report-mask-of-left", "report-mask-of-right"]) {
                     @if let Some(pixels) = image.left_out() {
-                        li { "A mask leaves out " (percent(pixels, image.grey.data().len())) " of the " (side) " image." }
+                        li { (texts.with(name, [("share", percent(pixels, image.grey.data().len()))])) }
                     }
                 }
-                li { (count(matches.len())) " matches of " (count(run.result.left.points.len())) " left points by this run's strategy." }
+                li { (texts.with("report-matches-of-points", [("matches", count(matches)), ("points", count(run.result.left.points.len()))])) }
                 @if let Some(edits) = &self.edits {
-                    li {
-                        "Edits by hand: " (count(edits.rejected)) " matches rejected, " (count(edits.measured)) " measured. This run is that of the edited "
-                        "matches; the other strategies match by themselves."
-                    }
+                    li { (texts.with("report-edits-of-pair", [("rejected", count(edits.rejected)), ("measured", count(edits.measured))])) }
                 }
-                li { strong { (typeset(&run.result.verdict().to_string())) } }
+                li { strong { (typeset(&said(texts, &run.result.verdict()))) } }
                 @if let Ok(o) = &run.result.orientation {
-                    li { (count(run.used())) " matches took part, σ₀ " (fixed(run.sigma0_px(), 3)) " px; " (count(o.rejected.len())) " gross errors rejected." }
+                    @let figures = [("used", count(run.used())), ("sigma0", fixed(run.sigma0_px(), 3)), ("rejected", count(o.rejected.len()))];
+                    li { (texts.with("report-took-part", figures)) }
                 }
                 @if let Some(score) = &run.score {
-                    li { (percent(score.right, matches.len())) " of the matches are right by the truth of the simulated pair." }
+                    li { (texts.with("report-right-by-truth", [("share", percent(score.right, matches))])) }
                 }
             }
         }
     }
 
     /// Both images with their points, matched, rejected and refused.
-    fn pictures(&self) -> Markup {
+    fn pictures(&self, texts: &Texts) -> Markup {
         let result = &self.studies[0].result;
         let matches = &result.matching.matches;
         let mut rejected = vec![false; matches.len()];
@@ -101,15 +104,21 @@ impl Report {
                 Layer { class: "dot rejected", path: of(true, index == 1) },
             ];
             let image = &self.images[index];
-            let words = format!("{}: {} points, {} matches", image.name, count(points.len()), count(matches.len()));
+            let figures = [("name", image.name.clone()), ("points", count(points.len())), ("matches", count(matches.len()))];
+            let words = texts.with("report-points-and-matches", figures);
             let ground =
                 picture::Ground::Grey(["left-image", "right-image"][index], image.grey.view(), image.mask.as_ref().map(GreyImage::view));
             html! { figure { (picture::picture(&ground, &layers, &words)) figcaption { (words) } } }
         };
         html! {
             div.pair { (side(0)) (side(1)) }
-            p.legend { span.matched { "●" } " matched " span.rejected { "●" } " gross error " span.other { "●" } " other interest point"
-                @if self.images.iter().any(|image| image.mask.is_some()) { " " span style="color: #d82828" { "■" } " masked out" }
+            p.legend {
+                span.matched { "●" } " " (texts.say("report-legend-matched")) " "
+                span.rejected { "●" } " " (texts.say("report-state-gross-error")) " "
+                span.other { "●" } " " (texts.say("report-legend-other"))
+                @if self.images.iter().any(|image| image.mask.is_some()) {
+                    " " span style="color: #d82828" { "■" } " " (texts.say("report-legend-masked"))
+                }
             }
         }
     }

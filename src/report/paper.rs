@@ -24,6 +24,7 @@ pub struct Paper {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct PrintedOrientation {
+    /// By which way: `correlation`, `least-squares` or `moments`.
     pub name: &'static str,
     pub values: FiveParameters,
 }
@@ -34,8 +35,8 @@ pub const PAPER: Paper = Paper {
     standard_errors: five(0.0477, 0.0688, 0.0202, 0.1373, 0.0746),
     orientations: [
         PrintedOrientation { name: "correlation", values: five(0.8903, 0.0260, 0.4951, -1.9333, 0.0100) },
-        PrintedOrientation { name: "least squares", values: five(0.8889, 0.0108, 0.4975, -1.9274, 0.0403) },
-        PrintedOrientation { name: "proposed (moments)", values: five(0.9137, 0.0187, 0.3708, -2.2811, 0.0605) },
+        PrintedOrientation { name: "least-squares", values: five(0.8889, 0.0108, 0.4975, -1.9274, 0.0403) },
+        PrintedOrientation { name: "moments", values: five(0.9137, 0.0187, 0.3708, -2.2811, 0.0605) },
     ],
     sigma0_mm: 0.150,
     pixel_mm: 0.254,

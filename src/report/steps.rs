@@ -1,6 +1,7 @@
 //! The steps of a report: each matches the pair in one way.
 
 use super::input::{ReportEdits, ReportImage, ReportTruth};
+use super::step::ReportStep;
 use super::study::{Study, plan, study};
 use crate::{Error, PairInput, PairSettings};
 
@@ -12,7 +13,7 @@ pub struct Report {
     pub(super) settings: PairSettings,
     pub(super) truth: Option<ReportTruth>,
     pub(super) edits: Option<ReportEdits>,
-    pub(super) plan: Vec<(&'static str, PairSettings)>,
+    pub(super) plan: Vec<(ReportStep, PairSettings)>,
     pub(super) studies: Vec<Study>,
 }
 
@@ -26,13 +27,13 @@ impl Report {
     /// The same of matches that were edited by hand: this run is made of them; the other strategies match by themselves.
     #[must_use]
     pub fn edited(mut self, edits: ReportEdits) -> Self {
-        self.plan[0].0 = "this run, edited";
+        self.plan[0].0 = ReportStep::ThisRunEdited;
         Self { edits: Some(edits), ..self }
     }
 
     /// What each step does, in their order.
-    pub fn steps(&self) -> Vec<&'static str> {
-        self.plan.iter().map(|(name, _)| *name).collect()
+    pub fn steps(&self) -> Vec<ReportStep> {
+        self.plan.iter().map(|(step, _)| *step).collect()
     }
 
     /// Does the next step; false when all were done.
@@ -40,16 +41,16 @@ impl Report {
     /// # Errors
     /// As [`match_pair`](crate::match_pair), and those of a truth that does not fit the images.
     pub fn step(&mut self) -> Result<bool, Error> {
-        let Some((name, settings)) = self.plan.get(self.studies.len()) else { return Ok(false) };
+        let Some((step, settings)) = self.plan.get(self.studies.len()) else { return Ok(false) };
         let edits = self.edits.as_ref().filter(|_| self.studies.is_empty());
         // What was edited is no result of these settings alone.
         let unedited = self.studies.iter().skip(usize::from(self.edits.is_some()));
         let done = unedited.clone().find(|study| study.settings.resolved() == settings.resolved());
         let study = match done {
-            Some(study) => Study { name, ..study.clone() },
+            Some(study) => Study { step: *step, ..study.clone() },
             None => {
                 let images = self.images.each_ref().map(ReportImage::pair_image);
-                study(name, settings, images, &self.input, (self.truth.as_ref(), edits))?
+                study(*step, settings, images, &self.input, (self.truth.as_ref(), edits))?
             }
         };
         self.studies.push(study);

@@ -1,6 +1,7 @@
 //! One way of matching the pair, and what came of it.
 
 use super::input::{ReportEdits, ReportTruth};
+use super::step::ReportStep;
 use super::unknowns::{PRINTED_DIGITS, five};
 use crate::html::digits_of_error;
 use crate::pair::sigma0_of_all_mm;
@@ -12,7 +13,7 @@ use crate::{
 /// A run of the pair.
 #[derive(Debug, Clone)]
 pub struct Study {
-    pub name: &'static str,
+    pub step: ReportStep,
     pub settings: PairSettings,
     pub result: PairResult,
     /// Where the truth is known.
@@ -22,7 +23,7 @@ pub struct Study {
 }
 
 /// The settings of each study: those of the user first, then each strategy on the same points, with all else as the user has it.
-pub fn plan(settings: &PairSettings) -> Vec<(&'static str, PairSettings)> {
+pub fn plan(settings: &PairSettings) -> Vec<(ReportStep, PairSettings)> {
     // An operator that follows from the strategy would give each strategy its own points: where none is chosen, the paper's holds.
     let on_same_points = PairSettings { points: settings.points.resolved(Operator::Ground2), ..settings.clone() };
     let by = |strategy: Strategy| {
@@ -32,19 +33,19 @@ pub fn plan(settings: &PairSettings) -> Vec<(&'static str, PairSettings)> {
         settings
     };
     let strategies = [
-        ("moments", Strategy::Moments),
-        ("invariants", Strategy::Invariants),
-        ("correlation", Strategy::Correlation),
-        ("least squares", Strategy::LeastSquares),
-        ("gradients", Strategy::Gradient),
+        (ReportStep::Moments, Strategy::Moments),
+        (ReportStep::Invariants, Strategy::Invariants),
+        (ReportStep::Correlation, Strategy::Correlation),
+        (ReportStep::LeastSquares, Strategy::LeastSquares),
+        (ReportStep::Gradients, Strategy::Gradient),
     ];
-    let others = strategies.map(|(name, strategy)| (name, by(strategy)));
-    std::iter::once(("this run", settings.clone())).chain(others).collect()
+    let others = strategies.map(|(step, strategy)| (step, by(strategy)));
+    std::iter::once((ReportStep::ThisRun, settings.clone())).chain(others).collect()
 }
 
 /// Matches, orients and scores the pair; where there are edits, its edited matches.
 pub fn study(
-    name: &'static str,
+    step: ReportStep,
     settings: &PairSettings,
     images: [PairImage<'_>; 2],
     input: &PairInput,
@@ -73,7 +74,7 @@ pub fn study(
         let (found, known) = (five(&orientation.parameters), five(&truth.orientation_at(orientation.base_mm)));
         std::array::from_fn(|k| found[k] - known[k])
     });
-    Ok(Study { name, settings: settings.clone(), result, score: score.transpose()?, errors })
+    Ok(Study { step, settings: settings.clone(), result, score: score.transpose()?, errors })
 }
 
 /// The pair with its edited matches, and the orientation of these. Why images have none whatever their matches are stays as it is.

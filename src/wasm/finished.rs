@@ -1,6 +1,7 @@
 //! A finished block in wasm memory: what it writes and shows.
 
-use super::convert::{Bytes, JsResult, Number, emitting, numbers, object, pack, read, set, thrown, whole, wrong_project};
+use super::convert::{Bytes, JsResult, Number, Text, emitting, numbers, object, pack, read, set, thrown, whole, wrong_project};
+use super::message::texts_of;
 use crate::{
     BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockPlaces, BlockRun, BlockScore, Carrying, ExportFormat, FileFault, ImagePoint,
     ObservationPart, PointColumns, Project, accuracy_map, block_covariances, block_epipolar_line, carried_steps as steps_carried,
@@ -233,14 +234,16 @@ impl FinishedBlock {
         emitting(emit, |emit| export_block(&self.run.model, format, emit))
     }
 
-    /// All its files, in steps of about one. `score`: what the summary holds of a simulated block.
+    /// All its files, in steps of about one. `score`: what the summary holds of a simulated block; `language`: the tag of that of the report, `en`
+    /// where it is absent.
     pub fn files(
         &self,
         #[wasm_bindgen(unchecked_param_type = "readonly ExportFormat[]")] formats: &JsValue,
         #[wasm_bindgen(unchecked_optional_param_type = "BlockScore | null")] score: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "string | null")] language: Option<Text>,
     ) -> JsResult<BlockWriting> {
         let (formats, score): (Vec<ExportFormat>, Option<BlockScore>) = (read("formats", formats)?, read("score", score)?);
-        Ok(BlockWriting { run: self.run.clone(), files: BlockFiles::new(&formats, score) })
+        Ok(BlockWriting { run: self.run.clone(), files: BlockFiles::new(&formats, score, texts_of(language)?) })
     }
 }
 
@@ -256,7 +259,7 @@ fn part_code(part: ObservationPart) -> u8 {
 #[wasm_bindgen]
 pub struct BlockWriting {
     run: Rc<BlockRun>,
-    files: BlockFiles,
+    files: BlockFiles<'static>,
 }
 
 #[wasm_bindgen]

@@ -53,12 +53,18 @@ export function message<F extends keyof Messages>(family: F, message: Messages[F
 pub fn message(family: &Text, message: &JsValue, attribute: Option<Text>, language: Option<Text>) -> JsResult<String> {
     let (family, message) = (family.read("family")?, read::<Value>("message", message)?);
     let attribute = attribute.map(|attribute| attribute.read("attribute")).transpose()?;
-    let language = language.map(|language| language.read("language")).transpose()?;
+    let texts = texts_of(language)?;
     let (attribute, id) = (attribute.as_deref(), Texts::id_of(&family, &message));
     if !Texts::english().has(&id, attribute) {
         let got = attribute.map_or(id.clone(), |attribute| format!("{id}.{attribute}"));
         let wanted = "a family of messages, and one that belongs to it".into();
         return Err(thrown(Error::InvalidArgument { what: "message", got, wanted }));
     }
-    Ok(Texts::of(language.as_deref().unwrap_or("en")).text_of(&family, &message, attribute))
+    Ok(texts.text_of(&family, &message, attribute))
+}
+
+/// The texts of the language of a tag; of English without any.
+pub(super) fn texts_of(language: Option<Text>) -> JsResult<&'static Texts> {
+    let language = language.map(|language| language.read("language")).transpose()?;
+    Ok(Texts::of(language.as_deref().unwrap_or("en")))
 }

@@ -1,6 +1,7 @@
 //! The report of a pair.
 
-use super::convert::{Bytes, JsResult, pack, read, read_options, rows, thrown, whole};
+use super::convert::{Bytes, JsResult, Text, pack, read, read_options, rows, thrown, whole};
+use super::message::texts_of;
 use super::photo::{Photo, read_mask};
 use super::project::{floats, read_matched};
 use crate::{Error, FiveParameters, PAPER, PairInput, PairSettings, Report as Core, ReportEdits, ReportTruth};
@@ -62,10 +63,11 @@ impl Report {
         Ok(Self { core: if edits.is_null() || edits.is_undefined() { core } else { core.edited(read_edits(edits)?) } })
     }
 
-    /// What each step does, in their order.
+    /// What each step does, in their order; in English, or in the language of a tag.
     #[wasm_bindgen(unchecked_return_type = "string[]")]
-    pub fn steps(&self) -> JsValue {
-        pack(&self.core.steps())
+    pub fn steps(&self, #[wasm_bindgen(unchecked_optional_param_type = "string | null")] language: Option<Text>) -> JsResult<JsValue> {
+        let texts = texts_of(language)?;
+        Ok(pack(&self.core.steps().iter().map(|step| texts.text(step)).collect::<Vec<_>>()))
     }
 
     /// Does the next step; false when all were done.
@@ -73,9 +75,9 @@ impl Report {
         self.core.step().map_err(thrown)
     }
 
-    /// The page, which holds everything it shows. Does the steps that are left.
-    pub fn html(&mut self) -> JsResult<String> {
-        self.core.html().map_err(thrown)
+    /// The page, which holds everything it shows; in English, or in the language of a tag. Does the steps that are left.
+    pub fn html(&mut self, #[wasm_bindgen(unchecked_optional_param_type = "string | null")] language: Option<Text>) -> JsResult<String> {
+        self.core.html(texts_of(language)?).map_err(thrown)
     }
 }
 

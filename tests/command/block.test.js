@@ -52,6 +52,16 @@ test('a block is matched, oriented and written', () => {
   assert.equal(summary.verdict.kind, 'oriented', JSON.stringify(summary.verdict));
 });
 
+test('the report is in the language that is asked for, and all other files are English', () => {
+  const out = folder();
+  const call = ['edit', join(WHOLE.out, 'project.tiepoint'), '--out', out, '--language', 'ar'];
+  assert.equal(tiepoint(...call).code, 0);
+  const [arabic, whole] = [contents(out), contents(WHOLE.out)];
+  assert.match(String(arabic.get('report.html')), /<html lang="ar" dir="rtl">/u);
+  assert.match(String(whole.get('report.html')), /<html lang="en">/u);
+  for (const name of ['images.csv', 'points.csv', 'pairs.csv', 'rays.csv', 'project.tiepoint']) assert.deepEqual(arabic.get(name), whole.get(name), name);
+});
+
 test('orientations and points are right by the truth', () => {
   const { score } = ran('--truth', BLOCK.truthFile).summary;
   assert.equal(score.oriented, 6);

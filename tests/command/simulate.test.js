@@ -134,6 +134,19 @@ test('the report of a flight is one file that holds everything', () => {
   assert.match(tiepoint('report', ...match.slice(1)).stderr, /--out is missing/);
 });
 
+test('a report is in the language that is asked for', () => {
+  const { at, match } = made();
+  /** @param {string[]} more */
+  const page = (...more) => readFileSync(json('report', ...match.slice(1), '--out', join(at, 'report'), ...more).file, 'utf8');
+  const [plain, arabic] = [page(), page('--language', 'ar')];
+  assert.match(plain, /<html lang="en">.*<title>Tiepoint report: left\.png, right\.png<\/title>/su);
+  assert.match(arabic, /<html lang="ar" dir="rtl">.*<title>[^<]*تقرير Tiepoint[^<]*<\/title>/su);
+  assert.equal(page('--language', 'en'), plain);
+  const { code, stderr } = tiepoint('report', ...match.slice(1), '--out', join(at, 'report'), '--language', 'de');
+  assert.equal(code, 2);
+  assert.match(stderr, /--language is de; allowed: en, ar/);
+});
+
 test('the next command is told as this one was called', () => {
   const next =
     tiepoint('simulate', '--out', folder(), ...SMALL)

@@ -1,14 +1,12 @@
 /** What axe finds in every state of the page: nothing, in both themes, on a laptop and on a phone. */
 
 import assert from 'node:assert/strict';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { rmSync } from 'node:fs';
 import { test } from 'node:test';
-import { pathToFileURL } from 'node:url';
 import { unzipSync } from 'fflate';
 import { looker } from './axe.js';
 import { block, photoFolder, status } from './blocks.js';
+import { reportTab } from './report.js';
 import { done, hosted, open, pair, part, pngs, saved, says, SKIP, upload } from './page.js';
 
 hosted();
@@ -181,21 +179,12 @@ test('axe finds nothing in any state of a block', { skip: SKIP }, async () => {
   await close();
 });
 
-/** Opens a report as a file in a tab of its own.  @param {import('playwright-core').Page} page @param {Uint8Array} report */
-async function opened(page, report) {
-  const file = join(mkdtempSync(join(tmpdir(), 'tiepoint-report-')), 'report.html');
-  writeFileSync(file, report);
-  const tab = await page.context().newPage();
-  await tab.goto(pathToFileURL(file).href);
-  return tab;
-}
-
 test('axe finds nothing in the reports of a pair and of a block', { skip: SKIP }, async () => {
   /** @type {Map<string, string>} */
   const found = new Map();
   const { page, complaints, close } = await open();
   await pair(page);
-  await looker(await opened(page, await saved(page, 'export-report')), found)('report of a pair');
+  await looker(await reportTab(page, await saved(page, 'export-report')), found)('report of a pair');
   assert.deepEqual(complaints, []);
   await close();
   const second = await block();
@@ -208,7 +197,7 @@ test('axe finds nothing in the reports of a pair and of a block', { skip: SKIP }
   await part(second.page, 'block-export-kind').selectOption('everything');
   const report = unzipSync(new Uint8Array(await saved(second.page, 'block-export')))['report.html'];
   assert.ok(report);
-  await looker(await opened(second.page, report), found)('report of a block');
+  await looker(await reportTab(second.page, report), found)('report of a block');
   assert.deepEqual([...found.values()], []);
   assert.deepEqual(second.complaints, []);
   await second.close();

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { SAME } from '../english.js';
+import { english, texts } from './arabic.js';
 import { looker } from './axe.js';
 import { FLIGHT, photos } from './blocks.js';
 import { CAMERA, done, enabled, hosted, open, part, pngs, saved, says, SHOTS, SKIP, upload } from './page.js';
@@ -17,25 +17,6 @@ const ARABIC = { options: { locale: 'ar-EG' } };
 
 /** @param {Page} page */
 const document_ = (page) => page.evaluate(() => ({ lang: document.documentElement.lang, dir: document.documentElement.dir, title: document.title }));
-
-/** What people read in the page, and what is read out to them; without keys, code and the names of files.  @param {Page} page */
-const texts = (page) =>
-  page.evaluate(() => {
-    const found = new Set();
-    for (const element of document.body.querySelectorAll('*')) {
-      if (!element.checkVisibility() || element.closest('kbd, code, pre, [lang="en"], .pane-name, .project-name') !== null) continue;
-      for (const node of element.childNodes) if (node.nodeType === Node.TEXT_NODE) found.add(node.textContent?.trim() ?? '');
-      for (const name of ['title', 'aria-label', 'aria-roledescription', 'placeholder']) found.add(element.getAttribute(name) ?? '');
-    }
-    return [...found].filter((text) => text !== '');
-  });
-
-/** Words that are names of keys, files, operators or options in every language. */
-const NAMES =
-  /"[^"]*"|\.(?:tfw|jgw|pgw|wld|prj)\b|\b[\w-]+\.(?:png|jpe?g|tif|json|csv|tiepoint|tfw|jgw|pgw|wld|zip)\b|\b(?:[a-z]+_[a-z_]+|radial|tangential|fixed|mask|auto|Förstner|Moravec|Ground|Huber|Agisoft|Bundler|NVM|VisualSFM|ESRI|ASCII|Apache-2\.0|MIT|COLMAP|images|cameras|world file|Baarda|DJI|WebP|GTX|PGM|GeographicLib|col|row|English|Simulated)\b/gu;
-
-/** Texts with a word in Latin letters that is neither a name nor a unit.  @param {readonly string[]} all */
-const english = (all) => all.filter((text) => (text.replaceAll(NAMES, ' ').match(/[A-Za-z][A-Za-z’-]{2,}/gu) ?? []).some((word) => !SAME.test(word)));
 
 test('the language is that of the browser until one is chosen, and the choice is kept', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ ...ARABIC, fresh: true });

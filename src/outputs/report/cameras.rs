@@ -4,7 +4,7 @@ use super::field::field;
 use super::subject::{Subject, WORST};
 use crate::html::{correlations, count, significant, with_error};
 use crate::text::shorten;
-use crate::{Camera, CameraStatistics, ReconstructedModel};
+use crate::{Camera, CameraStatistics, ReconstructedModel, Texts};
 use maud::{Markup, html};
 
 /// Symbols and units, in the order of the standard errors.
@@ -12,18 +12,19 @@ const PARAMETERS: [(&str, &str); 8] = [("c", "px"), ("x₀", "px"), ("y₀", "px
 
 /// The cameras with most images first.
 pub(super) fn cameras(subject: &Subject<'_>, model: &ReconstructedModel) -> Markup {
+    let texts = subject.texts;
     let images = |camera: usize| model.adjusted.block.images.iter().filter(|image| image.camera == camera).count();
     let mut listed: Vec<(usize, usize)> = (0..model.cameras.len()).map(|camera| (camera, images(camera))).collect();
     listed.sort_by_key(|(camera, images)| (std::cmp::Reverse(*images), *camera));
     html! {
-        h2 { "Cameras" }
+        h2 { (texts.say("report-cameras")) }
         @for (camera, images) in listed.iter().take(WORST) { (one(subject, model, *camera, *images)) }
-        @if listed.len() > WORST { p.note { (count(listed.len() - WORST)) " more cameras are in summary.json." } }
+        @if listed.len() > WORST { p.note { (texts.with("report-more-cameras", [("number", count(listed.len() - WORST))])) } }
     }
 }
 
 fn one(subject: &Subject<'_>, model: &ReconstructedModel, camera: usize, images: usize) -> Markup {
-    let place = model.cameras[camera];
+    let (texts, place) = (subject.texts, model.cameras[camera]);
     let Some(initial) = subject.run.cameras.get(place) else { return html! {} };
     let calibrated = values(&model.adjusted.block.cameras[camera]);
     let given = initial.known().map(|camera| values(&camera));
@@ -31,42 +32,53 @@ fn one(subject: &Subject<'_>, model: &ReconstructedModel, camera: usize, images:
     let factors = subject.factors_95();
     let estimated: Vec<&str> =
         PARAMETERS.iter().zip(&statistics.standard_errors).filter_map(|((symbol, _), error)| error.map(|_| *symbol)).collect();
+    let title = [
+        ("number", (place + 1).to_string()),
+        ("label", shorten(&initial.label)),
+        ("images", count(images)),
+        ("size", format!("{} × {}", initial.width_px, initial.height_px)),
+    ];
     html! {
-        h3 { "Camera " (place + 1) ": " (shorten(&initial.label)) ", " (count(images)) " images of " (initial.width_px) " × " (initial.height_px) " px" }
+        h3 { (texts.with("report-camera", title)) }
         table tabindex="0" {
-            thead { tr { td {} th { "given" } th { "calibrated" } th { "standard error" } th { "95 %: ±" } th { "state" } } }
+            thead {
+                tr {
+                    td {} @for name in ["report-given", "report-calibrated", "report-standard-error"] { th { (texts.say(name)) } }
+                    th { "95 %: ±" } th { (texts.say("report-state")) }
+                }
+            }
             tbody {
                 @for (k, (symbol, unit)) in PARAMETERS.into_iter().enumerate() {
                     @let error = statistics.standard_errors[k];
                     tr {
-                        th { i { (symbol) } @if !unit.is_empty() { " " small { (unit) } } }
+                        th { i { (symbol) } @if !unit.is_empty() { " " small { (texts.unit(unit)) } } }
                         td { (given.map_or_else(|| "–".into(), |given| with_error(given[k], None))) }
                         td { (with_error(calibrated[k], error)) }
                         td { (significant(error)) }
                         td { (significant(error.zip(factors).map(|(error, factors)| factors.interval * error))) }
-                        td.words { (state(statistics, k)) }
+                        td.words { (state(texts, statistics, k)) }
                     }
                 }
             }
         }
         div.pair {
-            (field(&model.adjusted, camera))
+            (field(texts, &model.adjusted, camera))
             @if estimated.len() > 1 && statistics.correlations.len() == estimated.len() {
-                (correlations(&estimated, &statistics.correlations, "Correlations of the estimated parameters"))
+                (correlations(&estimated, &statistics.correlations, &texts.say("report-parameter-correlations")))
             }
         }
     }
 }
 
 /// Why a parameter has no standard error.
-fn state(statistics: &CameraStatistics, k: usize) -> String {
+fn state(texts: &Texts, statistics: &CameraStatistics, k: usize) -> String {
     let fixed = statistics.fixed.iter().find(|fixed| fixed.parameter.place() == k);
     match (fixed, statistics.standard_errors[k]) {
         (Some(fixed), _) => match fixed.effect_px {
-            Some(effect) => format!("not determined: one standard error would move an observation by {} px", significant(effect)),
-            None => "not determined".into(),
+            Some(effect) => texts.with("report-not-determined-by", [("effect", significant(effect))]),
+            None => texts.say("report-not-determined"),
         },
-        (None, None) => "not estimated".into(),
+        (None, None) => texts.say("report-not-estimated"),
         (None, Some(_)) => String::new(),
     }
 }

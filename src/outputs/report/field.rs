@@ -1,7 +1,7 @@
 //! The residual field of a camera: mean residual vectors on a grid over the image.
 
-use crate::html::{count, dots, fixed, round_below, rounded, strokes};
-use crate::{AdjustmentResult, ObservationVerdict};
+use crate::html::{count, dots, fixed, quantity, round_below, rounded, strokes};
+use crate::{AdjustmentResult, ObservationVerdict, Texts};
 use maud::{Markup, PreEscaped, html};
 
 /// The longer side of the drawing, and the cells along it.
@@ -32,7 +32,7 @@ impl Cell {
 }
 
 /// The residual field of a camera of an adjusted block.
-pub(super) fn field(adjusted: &AdjustmentResult, camera: usize) -> Markup {
+pub(super) fn field(texts: &Texts, adjusted: &AdjustmentResult, camera: usize) -> Markup {
     let own = &adjusted.block.cameras[camera];
     let [width, height] = [own.width_px, own.height_px].map(f64::from);
     let longer = width.max(height);
@@ -51,7 +51,7 @@ pub(super) fn field(adjusted: &AdjustmentResult, camera: usize) -> Markup {
     }
     let filled: Vec<(usize, &Cell)> = cells.iter().enumerate().filter(|(_, cell)| cell.number >= LEAST).collect();
     if filled.is_empty() {
-        return html! { p.note { "Too few residuals for a residual field." } };
+        return html! { p.note { (texts.say("report-few-residuals")) } };
     }
     let square = |[x, y]: [f64; 2]| x * x + y * y;
     let mean_square = |of: &dyn Fn(&Cell) -> f64| filled.iter().map(|(_, cell)| of(cell)).sum::<f64>() / filled.len() as f64;
@@ -72,12 +72,9 @@ pub(super) fn field(adjusted: &AdjustmentResult, camera: usize) -> Markup {
     let vectors: Vec<([f64; 2], [f64; 2])> = vectors.collect();
     let [w, h] = [scale * width, scale * height];
     let bar = round_below(largest);
-    let words = format!(
-        "Mean residuals over the image, {} observations: RMS {} px, by chance alone {} px",
-        count(cells.iter().map(|cell| cell.number).sum()),
-        fixed(found, 3),
-        fixed(chance, 3)
-    );
+    let observations = count(cells.iter().map(|cell| cell.number).sum());
+    let figures = [("observations", observations), ("rms", fixed(found, 3)), ("chance", fixed(chance, 3))];
+    let words = texts.with("report-mean-residuals", figures);
     html! {
         figure {
             svg.field viewBox=(format!("-1 -1 {:.0} {:.0}", SIDE + 2.0, h + 34.0)) role="img" aria-label=(words) {
@@ -85,9 +82,9 @@ pub(super) fn field(adjusted: &AdjustmentResult, camera: usize) -> Markup {
                 path.mean d=(PreEscaped(strokes(vectors.iter().copied()))) {}
                 path.centre d=(PreEscaped(dots(vectors.iter().map(|(at, _)| *at)))) {}
                 path.scale d=(format!("M2 {:.1}v8h{:.1}v-8", h + 6.0, factor * bar)) {}
-                text x=(format!("{:.1}", factor * bar + 8.0)) y=(format!("{:.1}", h + 17.0)) { (rounded(bar)) " px" }
+                text x=(format!("{:.1}", factor * bar + 8.0)) y=(format!("{:.1}", h + 17.0)) { (quantity(texts, rounded(bar), "px")) }
             }
-            figcaption { (words) "; " (count((factor / scale).round() as usize)) " times enlarged" }
+            figcaption { (words) (texts.with("report-enlarged", [("factor", count((factor / scale).round() as usize))])) }
         }
     }
 }
@@ -111,14 +108,14 @@ mod tests {
                 .map(|text| text.rsplit(' ').next().unwrap().parse().unwrap())
                 .collect()
         };
-        let plain = figures(field(&adjusted, 0));
+        let plain = figures(field(Texts::english(), &adjusted, 0));
         assert!(plain[0] < 1.5 * plain[1], "{plain:?}");
         let Block { rays, cameras, .. } = &adjusted.block;
         let middle = 0.5 * f64::from(cameras[0].width_px);
         for (ray, statistics) in rays.iter().zip(&mut adjusted.rays) {
             statistics.residual_px[0] += if ray.x_px < middle { 1.0 } else { -1.0 };
         }
-        let shifted = figures(field(&adjusted, 0));
+        let shifted = figures(field(Texts::english(), &adjusted, 0));
         assert!(shifted[0] > 0.9 && shifted[1] < 0.3, "{shifted:?}");
     }
 }

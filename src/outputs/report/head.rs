@@ -1,103 +1,113 @@
 //! What the block is worth, its figures, and what is weak about it.
 
 use super::subject::{NAMED, Subject};
-use crate::html::{count, fixed, significant};
+use crate::html::{count, fixed, listed, quantity, said, significant};
 use crate::outputs::summary::{ModelSummary, OrientationSummary};
 use crate::outputs::warning::overview_warnings;
 use crate::text::shorten;
-use crate::{BlockScore, Datum, ResultSystem};
+use crate::{BlockScore, Datum, ResultSystem, Texts};
 use maud::{Markup, html};
 
 /// Verdict and figures.
 pub(super) fn head(subject: &Subject<'_>) -> Markup {
-    let summary = subject.summary;
+    let (texts, summary) = (subject.texts, subject.summary);
+    let with_observations =
+        |points: usize, rays: usize| texts.with("report-with-observations", [("points", count(points)), ("observations", count(rays))]);
     let (oriented, models) = match &summary.orientation {
         OrientationSummary::Failed { oriented, .. } => (*oriented, &[][..]),
         OrientationSummary::Done(done) => (done.oriented, &done.models[..]),
     };
     html! {
-        p { strong { (summary.verdict.text) } }
+        p { strong { (said(texts, &summary.verdict.message)) } }
         dl {
-            dt { "Images" }
+            dt { (texts.say("report-images")) }
             dd {
-                (count(oriented)) " oriented of " (count(summary.images.read)) " read"
-                @if !summary.images.left_out.is_empty() { "; " (count(summary.images.left_out.len())) " could not be read" }
-                @if summary.images.masked > 0 { "; " (count(summary.images.masked)) " with masks" }
+                (texts.with("report-oriented-of", [("oriented", count(oriented)), ("read", count(summary.images.read))]))
+                @if !summary.images.left_out.is_empty() { (texts.with("report-not-read", [("images", count(summary.images.left_out.len()))])) }
+                @if summary.images.masked > 0 { (texts.with("report-with-masks", [("images", count(summary.images.masked))])) }
             }
-            dt { "Pairs" } dd { (count(summary.pairs.connected)) " connected of " (count(summary.pairs.tried)) " tried" }
-            @if let Some(points) = &summary.points { dt { "Tie points found" } dd { (count(points.found)) " with " (count(points.rays)) " observations" } }
-            dt { "Tie points written" } dd { (count(summary.selection.points)) " with " (count(summary.selection.rays)) " observations" }
-            @if let Some(model) = models.first() { (adjustment(model, summary.crs.as_ref())) }
+            dt { (texts.say("report-pairs")) }
+            dd { (texts.with("report-connected-of", [("connected", count(summary.pairs.connected)), ("tried", count(summary.pairs.tried))])) }
+            @if let Some(points) = &summary.points {
+                dt { (texts.say("report-points-found")) } dd { (with_observations(points.found, points.rays)) }
+            }
+            dt { (texts.say("report-points-written")) } dd { (with_observations(summary.selection.points, summary.selection.rays)) }
+            @if let Some(model) = models.first() { (adjustment(texts, model, summary.crs.as_ref())) }
             @if let Some(crs) = &summary.crs {
-                dt { "Coordinate system of the tables" } dd { (crs.name) }
-                dt { "Axes of this report" } dd { "X east, Y north, Z up in the middle of the block, in m" }
+                dt { (texts.say("report-coordinate-system")) } dd { (crs.name) }
+                dt { (texts.say("report-axes-of-report")) } dd { (texts.say("report-axes-local")) }
             }
-            @if let Some(edited) = &subject.run.edited { dt { "Edits by hand" } dd { (count(edited.edits.len())) } }
-            @if let Some(score) = &summary.score { (truth(score)) }
+            @if let Some(edited) = &subject.run.edited { dt { (texts.say("report-edits-of-block")) } dd { (count(edited.edits.len())) } }
+            @if let Some(score) = &summary.score { (truth(texts, score)) }
         }
         @if models.len() > 1 {
-            p { "The block fell apart into " (models.len()) " models, of " @for (k, model) in models.iter().enumerate().take(NAMED) { @if k > 0 { ", " } (count(model.images)) } " images. This report is of the first." }
+            @let images = listed(texts, models.iter().take(NAMED).map(|model| count(model.images)));
+            p { (texts.with("report-models", [("models", models.len().to_string()), ("images", images)])) }
         }
     }
 }
 
-fn adjustment(model: &ModelSummary, crs: Option<&ResultSystem>) -> Markup {
+fn adjustment(texts: &Texts, model: &ModelSummary, crs: Option<&ResultSystem>) -> Markup {
     html! {
-        dt { "Georeferenced by" } dd { (datum(model)) }
-        dt { "σ₀" } dd { (fixed(model.sigma0_px, 3)) " px" }
-        dt { "RMSE of observations" } dd { (fixed(model.rmse_px, 3)) " px" }
-        dt { "Degrees of freedom" } dd { (count(model.degrees_of_freedom)) }
-        dt { "Observations rejected" } dd { (count(model.rays_rejected)) }
-        @if let Some([x, y, z]) = model.position_rmse_m {
-            dt { "RMSE of GNSS positions" } dd { (significant(x)) ", " (significant(y)) ", " (significant(z)) " m in X, Y, Z" }
+        dt { (texts.say("report-georeferenced-by")) } dd { (texts.say(datum(model))) }
+        dt { "σ₀" } dd { (quantity(texts, fixed(model.sigma0_px, 3), "px")) }
+        dt { (texts.say("report-rmse-of-observations")) } dd { (quantity(texts, fixed(model.rmse_px, 3), "px")) }
+        dt { (texts.say("report-degrees-of-freedom")) } dd { (count(model.degrees_of_freedom)) }
+        dt { (texts.say("report-observations-rejected")) } dd { (count(model.rays_rejected)) }
+        @if let Some(rmse) = model.position_rmse_m {
+            dt { (texts.say("report-rmse-of-gnss")) } dd { (texts.with("report-in-xyz", in_xyz(rmse))) }
         }
         @if let Some(checks) = &model.checks {
-            @let [x, y, z] = checks.rmse_m;
-            @let [mean_x, mean_y, mean_z] = checks.mean_m.map(|mean| fixed(mean, 3));
-            dt { "RMSE of " (checks.points) " check points" }
+            @let ([x, y, z], [mean_x, mean_y, mean_z]) = (in_xyz(checks.rmse_m), checks.mean_m.map(|mean| fixed(mean, 3)));
+            @let plan = ("plan", significant(checks.plan_rmse_m));
+            dt { (texts.with("report-rmse-of-checks", [("points", checks.points.to_string())])) }
             dd {
-                (significant(x)) ", " (significant(y)) ", " (significant(z)) " m in X, Y, Z (plan " (significant(checks.plan_rmse_m)) " m), mean "
-                (mean_x) ", " (mean_y) ", " (mean_z) " m"
-                @if let Some(crs) = crs { ", along the axes of " (shorten(&crs.name)) }
-                @if let Some(ratio) = checks.ratio { "; " (fixed(ratio, 2)) " of their standard errors" }
+                (texts.with("report-checks", [x, y, z, plan, ("mean_x", mean_x), ("mean_y", mean_y), ("mean_z", mean_z)]))
+                @if let Some(crs) = crs { (texts.with("report-along-axes", [("crs", shorten(&crs.name))])) }
+                @if let Some(ratio) = checks.ratio { (texts.with("report-ratio-of-checks", [("ratio", fixed(ratio, 2))])) }
             }
         }
     }
 }
 
+fn in_xyz([x, y, z]: [f64; 3]) -> [(&'static str, String); 3] {
+    [("x", significant(x)), ("y", significant(y)), ("z", significant(z))]
+}
+
+/// The name of what says how the block is georeferenced.
 fn datum(model: &ModelSummary) -> &'static str {
     match (model.in_system, model.datum) {
-        (false, _) => "nothing: position, rotation and scale mean nothing",
-        (true, Datum::Control) => "ground control points",
-        (true, Datum::GnssAndControl) => "GNSS positions and ground control points",
-        (true, Datum::Gnss | Datum::Free) => "GNSS positions",
+        (false, _) => "report-datum-none",
+        (true, Datum::Control) => "report-datum-control",
+        (true, Datum::GnssAndControl) => "report-datum-gnss-and-control",
+        (true, Datum::Gnss | Datum::Free) => "report-datum-gnss",
     }
 }
 
-fn truth(score: &BlockScore) -> Markup {
+fn truth(texts: &Texts, score: &BlockScore) -> Markup {
     html! {
-        dt { "Against the truth" }
+        dt { (texts.say("report-block-against-truth")) }
         dd {
-            (count(score.right_points)) " of " (count(score.points)) " points are right"
-            @if let Some([x, y, z]) = score.position_rmse_m { "; after a similarity that brings it onto the truth, RMSE of positions " (significant(x)) ", " (significant(y)) ", " (significant(z)) " m" }
-            @if let Some(angle) = score.angle_rmse_deg { ", of angles " (significant(angle)) "°" }
+            (texts.with("report-right-points", [("right", count(score.right_points)), ("points", count(score.points))]))
+            @if let Some(rmse) = score.position_rmse_m { (texts.with("report-truth-positions", in_xyz(rmse))) }
+            @if let Some(angle) = score.angle_rmse_deg { (texts.with("report-truth-angles", [("angle", significant(angle))])) }
         }
     }
 }
 
 /// Warnings about the block, and remarks about what was given for it.
 pub(super) fn remarks(subject: &Subject<'_>) -> Markup {
+    let (texts, remarks) = (subject.texts, &subject.summary.remarks);
     let warnings = overview_warnings(subject.run);
-    let remarks = &subject.summary.remarks;
     html! {
         @if !warnings.is_empty() {
-            h2 { "Warnings" }
-            ul { @for warning in &warnings { li { (warning) } } }
+            h2 { (texts.say("report-warnings")) }
+            ul { @for warning in &warnings { li { (said(texts, warning)) } } }
         }
         @if !remarks.is_empty() {
-            h2 { "Remarks on what was given" }
-            ul { @for remark in remarks.iter().take(NAMED) { li { (remark.text) } } }
-            @if remarks.len() > NAMED { p.note { (count(remarks.len() - NAMED)) " more are in summary.json." } }
+            h2 { (texts.say("report-remarks")) }
+            ul { @for remark in remarks.iter().take(NAMED) { li { (said(texts, &remark.message)) } } }
+            @if remarks.len() > NAMED { p.note { (texts.with("report-more-in-summary", [("number", count(remarks.len() - NAMED))])) } }
         }
     }
 }

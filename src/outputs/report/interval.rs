@@ -2,7 +2,7 @@
 
 use crate::html::significant;
 use crate::outputs::precision::CoordinateErrors;
-use crate::{Factors95, ellipsoid_semi_axes};
+use crate::{Factors95, Texts, ellipsoid_semi_axes};
 use maud::{Markup, html};
 
 /// A standard error, and the half-width of its interval.
@@ -23,12 +23,12 @@ pub(super) fn semi_axes(ellipsoid: Option<[f64; 3]>) -> String {
 }
 
 /// What the figures behind ± and the ellipsoids are.
-pub(super) fn note(factors: Option<Factors95>) -> Markup {
+pub(super) fn note(texts: &Texts, factors: Option<Factors95>) -> Markup {
     html! {
         @if let Some(Factors95 { interval, ellipse, ellipsoid }) = factors {
             p.note {
-                "±: half-width of the interval that holds the truth in 95 % of cases, " (significant(interval)) " standard errors (Student's distribution of the degrees of freedom; the normal distribution where σ₀ was given). "
-                "Ellipses and ellipsoids hold two or three coordinates together in 95 % of cases: they are " (significant(ellipse)) " and " (significant(ellipsoid)) " times the standard ones (F distribution)."
+                (texts.with("report-interval-95", [("interval", significant(interval))])) " "
+                (texts.with("report-ellipses-and-ellipsoids", [("ellipse", significant(ellipse)), ("ellipsoid", significant(ellipsoid))]))
             }
         }
     }

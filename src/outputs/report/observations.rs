@@ -2,9 +2,9 @@
 
 use super::range::{range, ranges, worst};
 use super::subject::{Subject, WORST};
-use crate::html::{count, fixed, histogram, percent, significant};
+use crate::html::{count, fixed, head, histogram, in_unit, percent, significant};
 use crate::outputs::precision::written_points;
-use crate::{BlockObservation, ObservationStatistics, ObservationVerdict, ReconstructedModel};
+use crate::{BlockObservation, ObservationStatistics, ObservationVerdict, ReconstructedModel, Texts};
 use maud::{Markup, html};
 
 /// An observation with what the adjustment says of it.
@@ -31,22 +31,19 @@ fn largest(both: [Option<f64>; 2]) -> Option<f64> {
 }
 
 /// Residuals as a histogram, and by the number of rays of their points.
-pub(super) fn residuals(model: &ReconstructedModel) -> Markup {
+pub(super) fn residuals(texts: &Texts, model: &ReconstructedModel) -> Markup {
     let adjusted = &model.adjusted;
     let values: Vec<f64> = accepted(model).flat_map(|(_, statistics)| statistics.residual_px).collect();
     let sigma = adjusted.sigma0_px.or(adjusted.sigma0_a_priori_px).unwrap_or(adjusted.rmse_px).max(f64::MIN_POSITIVE);
-    let words = format!(
-        "Residuals of {} accepted observations, columns and rows; σ₀ is {} px",
-        count(values.len() / 2),
-        fixed(adjusted.sigma0_px, 3)
-    );
+    let figures = [("observations", count(values.len() / 2)), ("sigma0", fixed(adjusted.sigma0_px, 3))];
+    let words = texts.with("report-residuals-of", figures);
     html! {
-        h2 { "Residuals" }
+        h2 { (texts.say("report-residuals")) }
         div.pair {
-            (histogram(&values, 4.0 * sigma, "px", &words))
+            (histogram(texts, &values, 4.0 * sigma, "px", &words))
             table tabindex="0" {
-                caption { "By the number of rays of their points" }
-                thead { tr { th { "Rays" } th { "points" } th { "RMSE px" } } }
+                caption { (texts.say("report-by-rays")) }
+                thead { tr { th { (texts.say("report-rays")) } th { (texts.say("report-points")) } th { (head(texts, "RMSE", "px")) } } }
                 tbody { @for group in &adjusted.rmse_by_rays { tr { th { (group.rays) } td { (count(group.points)) } td { (fixed(group.rmse_px, 3)) } } } }
             }
         }
@@ -60,28 +57,29 @@ pub(super) fn reliability(subject: &Subject<'_>, model: &ReconstructedModel) -> 
     };
     let unchecked =
         accepted(model).filter(|(_, statistics)| statistics.redundancy.is_some() && statistics.detectable_px.contains(&None)).count();
+    let texts = subject.texts;
     let rows = [
-        ("redundancy number r", both(&|statistics, k| Some(statistics.redundancy?[k]))),
-        ("detectable error, px", both(&|statistics, k| statistics.detectable_px[k])),
-        ("influence", both(&|statistics, k| statistics.influence[k])),
-        ("undetected, it moves its point by, m", both(&|statistics, k| statistics.moves_point[k])),
-        ("|w|", both(&|statistics, k| Some(statistics.w?[k].abs()))),
+        (texts.say("report-redundancy-number"), both(&|statistics, k| Some(statistics.redundancy?[k]))),
+        (in_unit(texts, &texts.say("report-detectable-error"), "px"), both(&|statistics, k| statistics.detectable_px[k])),
+        (texts.say("report-influence"), both(&|statistics, k| statistics.influence[k])),
+        (in_unit(texts, &texts.say("report-moves-its-point"), "m"), both(&|statistics, k| statistics.moves_point[k])),
+        ("|w|".into(), both(&|statistics, k| Some(statistics.w?[k].abs()))),
     ];
     if rows.iter().all(|(_, range)| range.is_none()) {
-        return html! { h2 { "Reliability" } p { "There are no statistics." } };
+        return html! { h2 { (texts.say("report-reliability")) } p { (texts.say("report-no-statistics")) } };
     }
     html! {
-        h2 { "Reliability" }
-        (ranges("Columns and rows of all accepted observations", &rows))
+        h2 { (texts.say("report-reliability")) }
+        (ranges(texts, "report-accepted-observations", &rows))
         p.note {
-            "r is the share of an error that shows in the residual. An error of the detectable size is found with a probability of 0.80. Undetected, it moves no unknown by more than the influence, in standard errors."
-            @if unchecked > 0 { " " (count(unchecked)) " observations have a coordinate that nothing checks." }
+            (texts.say("report-reliability-of-block"))
+            @if unchecked > 0 { " " (texts.with("report-unchecked", [("observations", count(unchecked))])) }
         }
-        (listed(subject, model, "The largest standardised residuals w", worst(accepted(model), WORST, |(_, statistics)| largest_w(statistics))))
-        (listed(subject, model, "The largest detectable errors", worst(accepted(model), WORST, |(_, statistics)| {
+        (listed(subject, model, "report-largest-w", worst(accepted(model), WORST, |(_, statistics)| largest_w(statistics))))
+        (listed(subject, model, "report-largest-detectable", worst(accepted(model), WORST, |(_, statistics)| {
             largest(statistics.detectable_px)
         })))
-        (listed(subject, model, "The largest influences", worst(accepted(model), WORST, |(_, statistics)| largest(statistics.influence))))
+        (listed(subject, model, "report-largest-influences", worst(accepted(model), WORST, |(_, statistics)| largest(statistics.influence))))
     }
 }
 
@@ -91,39 +89,41 @@ pub(super) fn rejected(subject: &Subject<'_>, model: &ReconstructedModel) -> Mar
     let by_hand = model.rejected.iter().filter(|ray| ray.by_hand).count();
     let behind = model.rejected.iter().filter(|ray| !ray.by_hand && ray.residual_px.is_none()).count();
     let rows = [
-        ("it did not fit its point while the block grew", model.rejected.len() - behind - by_hand),
-        ("its point lay behind the image while the block grew", behind),
-        ("it was rejected by hand", by_hand),
-        ("data snooping found a gross error", number(ObservationVerdict::GrossError)),
-        ("its point lies behind the image", number(ObservationVerdict::Behind)),
-        ("its point has fewer than two rays left, or rays that do not meet", number(ObservationVerdict::LostPoint)),
+        ("report-did-not-fit", model.rejected.len() - behind - by_hand),
+        ("report-lay-behind", behind),
+        ("report-by-hand", by_hand),
+        ("report-snooped", number(ObservationVerdict::GrossError)),
+        ("report-lies-behind", number(ObservationVerdict::Behind)),
+        ("report-lost-point", number(ObservationVerdict::LostPoint)),
     ];
+    let texts = subject.texts;
     let sum: usize = rows.iter().map(|(_, number)| number).sum();
     let all = model.adjusted.rays.len() + model.rejected.len();
     let snooped = observations(model).filter(|(_, statistics)| statistics.verdict == ObservationVerdict::GrossError);
     let largest = worst(snooped, WORST, |(_, statistics)| Some(largest_w(statistics).unwrap_or_else(|| length(statistics))));
     html! {
-        h2 { "Rejected observations" }
-        p { (count(sum)) " of " (count(all)) " observations (" (percent(sum, all)) ") were rejected." }
+        h2 { (texts.say("report-rejected-observations")) }
+        p { (texts.with("report-rejected-of", [("rejected", count(sum)), ("observations", count(all)), ("share", percent(sum, all))])) }
         @if sum > 0 {
             table tabindex="0" {
-                thead { tr { th { "Reason" } th { "observations" } } }
-                tbody { @for (reason, number) in rows { @if number > 0 { tr { th { (reason) } td { (count(number)) } } } } }
+                thead { tr { th { (texts.say("report-reason")) } th { (texts.say("report-observations")) } } }
+                tbody { @for (reason, number) in rows { @if number > 0 { tr { th { (texts.say(reason)) } td { (count(number)) } } } } }
             }
         }
-        @if !largest.is_empty() { (listed(subject, model, "Gross errors with the largest standardised residuals w", largest)) }
+        @if !largest.is_empty() { (listed(subject, model, "report-gross-errors", largest)) }
     }
 }
 
 fn listed(subject: &Subject<'_>, model: &ReconstructedModel, caption: &str, rows: Vec<Judged<'_>>) -> Markup {
-    let points = written_points(model);
+    let (texts, points) = (subject.texts, written_points(model));
     html! {
         table tabindex="0" {
-            caption { (caption) }
+            caption { (texts.say(caption)) }
             thead {
                 tr {
-                    th { "Image" } th { "point" } th { "x px" } th { "y px" } th { "residual x px" } th { "y px" } th { "w x" } th { "w y" } th { "r x" } th { "r y" }
-                    th { "∇ x px" } th { "∇ y px" } th { "influence" } @if model.in_system { th { "moves its point by m" } }
+                    th { (texts.say("report-image")) } th { (texts.say("report-observed-point")) } @for axis in ["x", "y"] { th { (head(texts, axis, "px")) } }
+                    (residual_heads(texts)) th { (texts.say("report-influence")) }
+                    @if model.in_system { th { (head(texts, &texts.say("report-moves-by"), "m")) } }
                 }
             }
             tbody {
@@ -141,6 +141,14 @@ fn listed(subject: &Subject<'_>, model: &ReconstructedModel, caption: &str, rows
                 }
             }
         }
-        p.note { "Points are numbered as in points.csv, ground control and check points with their names." }
+        p.note { (texts.say("report-points-numbered")) }
+    }
+}
+
+/// The heads of what the adjustment says of an observation: its residuals, tests, redundancy numbers and detectable errors.
+pub(super) fn residual_heads(texts: &Texts) -> Markup {
+    html! {
+        th { (head(texts, &texts.with("report-residual-of", [("axis", "x".into())]), "px")) } th { (head(texts, "y", "px")) }
+        th { "w x" } th { "w y" } th { "r x" } th { "r y" } @for name in ["∇ x", "∇ y"] { th { (head(texts, name, "px")) } }
     }
 }

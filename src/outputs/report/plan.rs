@@ -3,9 +3,9 @@
 use super::plane::Plane;
 use super::range::{range, worst};
 use super::subject::Subject;
-use crate::html::{count, dots, round_below, rounded, significant, strokes};
+use crate::html::{count, dots, listed, round_below, rounded, significant, strokes};
 use crate::outputs::precision::{CoordinateErrors, image_errors};
-use crate::{ControlRole, ErrorEllipse};
+use crate::{ControlRole, ErrorEllipse, Texts};
 use maud::{Markup, PreEscaped, html};
 
 const WIDTH: f64 = 560.0;
@@ -49,7 +49,7 @@ impl Map {
 
 /// Absent where no image is oriented.
 pub(super) fn plan(subject: &Subject<'_>) -> Option<Markup> {
-    let plane = Plane::of(subject);
+    let (texts, plane) = (subject.texts, Plane::of(subject));
     let images = &subject.run.model.images;
     let centres: Vec<Option<[f64; 2]>> = images.iter().map(|image| image.pose.map(|pose| plane.place(pose.position))).collect();
     let surveyed = subject.model.map_or(&[][..], |model| &model.surveyed);
@@ -71,7 +71,7 @@ pub(super) fn plan(subject: &Subject<'_>) -> Option<Markup> {
         let paths = of_control(role).map(|place| map.at(place));
         paths.map(|[x, y]| format!("M{x:.1} {:.1}l{size} {}h{}z", y - size, 1.7 * size, -2.0 * size)).collect::<String>()
     };
-    let words = format!("Plan of {} projection centres", count(centres.iter().flatten().count()));
+    let words = texts.with("report-plan-of", [("centres", count(centres.iter().flatten().count()))]);
     Some(html! {
         figure {
             svg.plan viewBox=(format!("0 0 {WIDTH} {:.0}", map.height + FOOT)) role="img" aria-label=(words) {
@@ -87,21 +87,20 @@ pub(super) fn plan(subject: &Subject<'_>) -> Option<Markup> {
                 path.centre.without d=(PreEscaped(dots(without.map(|centre| map.at(centre))))) {}
                 path.control d=(PreEscaped(signs(ControlRole::Control, 5.0))) {}
                 path.check d=(PreEscaped(signs(ControlRole::Check, 5.0))) {}
-                (bars(&map, factor, drawn > 0, subject.unit()))
+                (bars(texts, &map, factor, drawn > 0, &subject.unit()))
             }
             figcaption {
                 @if drawn > 0 {
                     @match grown {
-                        Some(grown) => { "Ellipses that hold the projection centres in 95 % of cases, " (significant(grown)) " times the standard error ellipses, at " }
-                        None => { "Standard error ellipses, at " }
+                        Some(grown) => (texts.with("report-ellipses-95", [("grown", significant(grown)), ("factor", rounded(factor))])),
+                        None => (texts.with("report-ellipses-standard", [("factor", rounded(factor))])),
                     }
-                    (rounded(factor)) " times the scale of the plan"
-                    @if step > 1 { "; one of " (step) " is drawn" }
+                    @if step > 1 { (texts.with("report-one-of", [("step", step.to_string())])) }
                     ". "
-                } @else { "There are no standard errors. " }
+                } @else { (texts.say("report-no-standard-errors")) " " }
                 (links.words)
-                @if !surveyed.is_empty() { " Triangles: ground control points (green) and check points (blue)." }
-                @if subject.model.is_some_and(|model| !model.in_system) { " The block has no system: the plane is the one that its images look at." }
+                @if !surveyed.is_empty() { " " (texts.say("report-triangles")) }
+                @if subject.model.is_some_and(|model| !model.in_system) { " " (texts.say("report-plane-of-images")) }
             }
         }
     })
@@ -152,30 +151,30 @@ fn links(subject: &Subject<'_>, map: &Map, centres: &[Option<[f64; 2]>]) -> Link
         bounds.extend(class.last().map(|(points, _)| points.to_string()));
         strokes(class.iter().map(|(_, [[x, y], [to_x, to_y]])| ([*x, *y], [to_x - x, to_y - y])))
     });
-    let mut words = if bounds.is_empty() {
-        "No two images have points in common.".to_string()
-    } else {
-        format!("Lines join images with points in common: up to {} of them, the wider the more.", bounds.join(", "))
-    };
+    let texts = subject.texts;
+    let mut words =
+        if bounds.is_empty() { texts.say("report-no-links") } else { texts.with("report-links", [("bounds", listed(texts, bounds))]) };
     if all > strongest.len() {
-        words += &format!(" Of {} lines the {} strongest are drawn.", count(all), count(strongest.len()));
+        let figures = [("links", count(all)), ("drawn", count(strongest.len()))];
+        words = words + " " + &texts.with("report-strongest-links", figures);
     }
     Links { paths, words }
 }
 
 /// A bar for the plan, and one for the ellipses.
-fn bars(map: &Map, factor: f64, with_ellipses: bool, unit: &str) -> Markup {
-    let bar = |x: f64, scale: f64, what: &str| {
+fn bars(texts: &Texts, map: &Map, factor: f64, with_ellipses: bool, unit: &str) -> Markup {
+    let bar = |x: f64, scale: f64, name: &str| {
         let length = round_below(0.3 * WIDTH / scale);
         let y = map.height + 14.0;
+        let words = texts.with(name, [("length", rounded(length)), ("unit", unit.into())]);
         html! {
             path.scale d=(format!("M{x} {:.1}v8h{:.1}v-8", y - 8.0, length * scale)) {}
-            text x=(x) y=(format!("{:.1}", y + 16.0)) { (what) " " (rounded(length)) " " (unit) }
+            text x=(x) y=(format!("{:.1}", y + 16.0)) { (words) }
         }
     };
     html! {
-        (bar(MARGIN, map.scale, "plan:"))
-        @if with_ellipses { (bar(0.5 * WIDTH + 10.0, map.scale * factor, "ellipses:")) }
+        (bar(MARGIN, map.scale, "report-scale-of-plan"))
+        @if with_ellipses { (bar(0.5 * WIDTH + 10.0, map.scale * factor, "report-scale-of-ellipses")) }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Least, median and largest of many values.
 
+use crate::Texts;
 use crate::html::significant;
 use maud::{Markup, html};
 
@@ -10,12 +11,20 @@ pub(super) fn range(values: impl IntoIterator<Item = f64>) -> Option<[f64; 3]> {
     Some([*values.first()?, values[(values.len() - 1) / 2], *values.last()?])
 }
 
-/// A table of ranges under a caption; rows of nothing are left out.
-pub(super) fn ranges(caption: &str, rows: &[(&str, Option<[f64; 3]>)]) -> Markup {
+/// A quantity in words, and its range.
+pub(super) type Named = (String, Option<[f64; 3]>);
+
+/// The head of a table of ranges.
+pub(super) fn range_head(texts: &Texts) -> Markup {
+    html! { thead { tr { td {} @for name in ["report-minimum", "report-median", "report-maximum"] { th { (texts.say(name)) } } } } }
+}
+
+/// A table of ranges under the caption of this name; rows of nothing are left out.
+pub(super) fn ranges(texts: &Texts, caption: &str, rows: &[Named]) -> Markup {
     html! {
         table tabindex="0" {
-            caption { (caption) }
-            thead { tr { td {} th { "minimum" } th { "median" } th { "maximum" } } }
+            caption { (texts.say(caption)) }
+            (range_head(texts))
             tbody {
                 @for (name, range) in rows {
                     @if let Some(range) = range { tr { th { (name) } @for value in range { td { (significant(*value)) } } } }

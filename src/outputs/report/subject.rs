@@ -5,7 +5,7 @@ use crate::outputs::pairs::PairRow;
 use crate::outputs::precision::written;
 use crate::outputs::summary::Summary;
 use crate::text::shorten;
-use crate::{BlockRun, Factors95, ReconstructedModel, SurveyedPoint};
+use crate::{BlockRun, Factors95, ReconstructedModel, SurveyedPoint, Texts};
 use std::borrow::Cow;
 
 /// Rows of a list of the worst.
@@ -15,6 +15,7 @@ pub(super) const NAMED: usize = 100;
 
 /// A finished block with what the other files say of it.
 pub(super) struct Subject<'a> {
+    pub texts: &'a Texts,
     pub run: &'a BlockRun,
     pub summary: &'a Summary,
     pub pairs: &'a [PairRow],
@@ -25,8 +26,8 @@ pub(super) struct Subject<'a> {
 }
 
 impl<'a> Subject<'a> {
-    pub fn new(run: &'a BlockRun, summary: &'a Summary, pairs: &'a [PairRow]) -> Self {
-        Self { run, summary, pairs, model: written(run), surveyed: InSystem::of(run).surveyed() }
+    pub fn new(texts: &'a Texts, run: &'a BlockRun, summary: &'a Summary, pairs: &'a [PairRow]) -> Self {
+        Self { texts, run, summary, pairs, model: written(run), surveyed: InSystem::of(run).surveyed() }
     }
 
     /// By what its standard errors grow for 95 %; absent without any.
@@ -48,7 +49,7 @@ impl<'a> Subject<'a> {
     }
 
     /// The unit of lengths of the model that is written.
-    pub fn unit(&self) -> &'static str {
-        if self.model.is_some_and(|model| model.in_system) { "m" } else { "model units" }
+    pub fn unit(&self) -> String {
+        if self.model.is_some_and(|model| model.in_system) { self.texts.unit("m") } else { self.texts.say("report-model-units") }
     }
 }

@@ -2,6 +2,7 @@
 import { export_formats } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockWriting, Emit, FinishedBlock } from '../../../pkg/wasm/tiepoint.js';
 import { Archive } from '../../shared/engine/archive';
+import { LANGUAGE } from '../../shared/text/language';
 import type { ExportKind, MadeFile } from './calls';
 
 /** @throws Error with the crate's `code` where the block cannot be written so; the reason of the signal, which is looked at after each file */
@@ -9,7 +10,7 @@ export async function made(block: FinishedBlock, kind: ExportKind, name: string,
   const files = new Map<string, string>();
   const write: Emit = (path, text) => files.set(path, text);
   if (kind === 'project') write(`${name}-project.tiepoint`, block.project());
-  else if (kind === 'everything') await inSteps(block.files(export_formats()), write, signal);
+  else if (kind === 'everything') await inSteps(block.files(export_formats(), null, LANGUAGE), write, signal);
   else block.export(kind, write);
   return packed(files, `${name}-${kind}`, signal);
 }

@@ -32,6 +32,7 @@ import type { Input, Output, PairCalls } from './calls';
 import { ARCHIVE_TIME } from '../../shared/engine/archive';
 import { decodeColour } from '../../shared/engine/colour';
 import { bitmapOf, tileOf } from '../../shared/engine/tiles';
+import { LANGUAGE } from '../../shared/text/language';
 import { colourTile, reducedColour } from './colour';
 import { fill, overlayOf, shareLeftOut } from './mask';
 import { patchOf } from './patch';
@@ -154,7 +155,7 @@ async function reportOpen({ images, names, input, settings, truth, masks: [ofLef
   report = new Report(left, right, names, input, settings, truth, ofLeft, ofRight, edits);
   left.free();
   right.free();
-  return report.steps();
+  return report.steps(LANGUAGE);
 }
 
 async function epipolar({ project, images: [ofLeft, ofRight] }: Input<'epipolar'>): Promise<Output<'epipolar'>> {
@@ -218,7 +219,7 @@ export const PAIR_HANDLERS: Handlers<PairCalls> = {
   orient: ({ matches, fits, interior: ofPair, options, points }) => orient_matches(matches, fits, ofPair, options, points),
   reportOpen,
   reportStep: () => reportInHand().step(),
-  reportPage: () => reportInHand().html(),
+  reportPage: () => reportInHand().html(LANGUAGE),
   epipolar,
   parseFiducials: ({ text }) => parse_fiducials(text),
   orientMarks: ({ fiducials, model }) => {
