@@ -407,6 +407,8 @@ test('edits of places wait through a run until the block lies on the orthophoto 
   const off = found(marked, fewer);
   assert.deepEqual([off.history.edits, off.history.done], [[image], 1]);
   assert.deepEqual(awaitedOf(off).spots.images, ['photo_1.png', 'photo_2.png']);
+  // What waits is not said to be lost.
+  assert.match(off.notice.text, /1 edit of points of the former block does not apply.*1 edit of places of the orthophoto waits until/);
   const again = [{ before: 1, now: 0, is_same_spot: true, images: [0] }];
   const on = onGround(off, again, names.slice(0, 2));
   assert.deepEqual([on.history.edits, on.history.done, on.marks.edits[0].after], [[reject(0), image], 2, 2]);
@@ -431,7 +433,18 @@ test('edits of places wait through a run until the block lies on the orthophoto 
   // What is edited before it lies there is not overwritten.
   const meanwhile = reduce(off, { type: 'edit', edits: [{ kind: 'restore_images', images: [0] }] });
   assert.equal(awaitedOf(meanwhile), null);
-  assert.deepEqual(onGround(meanwhile, again).history.edits, [image, [{ kind: 'restore_images', images: [0] }]]);
+  const late = onGround(meanwhile, again);
+  assert.deepEqual(late.history.edits, [image, [{ kind: 'restore_images', images: [0] }]]);
+  assert.match(late.notice.text, /1 edit of points of the former block does not apply/);
+  // Another run before the block lies there, of the same block or another one, and a reload: they wait on.
+  const other = { ...fewer, points: points(1) };
+  const reloaded = reduce(after(), { type: 'restored', restored: off });
+  for (const state of [found(off, fewer), found(found(off, other), fewer), reloaded]) {
+    const lies = onGround(state, again, names.slice(0, 2));
+    assert.deepEqual([lies.history.edits, lies.history.done, lies.marks.edits[0].after], [[reject(0), image], 2, 2]);
+  }
+  // What lies there waits for nothing after a reload.
+  assert.equal(reduce(after(), { type: 'restored', restored: on }).awaiting, null);
 });
 
 /** A block that lies on an orthophoto of 100 by 80 m, whose origin is (500, 900): two images and three of its places, one of them rejected by hand, beside a ground control point. */

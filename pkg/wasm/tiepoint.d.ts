@@ -749,6 +749,9 @@ export type PairEdit = { kind: "reject"; of: EditedMatch[] } | { kind: "restore"
  * A column of Table 3.
  */
 export interface PrintedOrientation {
+    /**
+     * By which way: `correlation`, `least-squares` or `moments`.
+     */
     name: string;
     values: FiveParameters;
 }
@@ -3091,6 +3094,30 @@ export interface CameraUncertainty {
 }
 
 /**
+ * Steps of edits of a block, and the block that they are carried to.
+ */
+export interface Carrying {
+    /**
+     * What was done at once.
+     */
+    steps: BlockEdit[][];
+    /**
+     * So many of them, the first, are in force; the others were undone.
+     */
+    done: number;
+    before: EditNames;
+    after: EditNames;
+    /**
+     * Whether both have the same tie points.
+     */
+    same_tie_points: boolean;
+    /**
+     * Which places of the orthophoto lie where they lay, by numbers of both.
+     */
+    again: PlaceAgain[];
+}
+
+/**
  * The GNSS position of an image that a table gives.
  */
 export interface GivenPosition {
@@ -4279,6 +4306,32 @@ export interface CheckSummary {
 }
 
 /**
+ * What edits of a block name by numbers.
+ */
+export interface EditNames {
+    /**
+     * The names of the images, by their indices.
+     */
+    images: string[];
+    /**
+     * Surveyed points by their numbers, with their names.
+     */
+    surveyed: [number, string][];
+    /**
+     * The pairs that matches connect.
+     */
+    connected: [number, number][];
+    /**
+     * How many surveyed points the block was found with, the first ones: those that edits add are numbered behind them.
+     */
+    found: number;
+    /**
+     * The system of their coordinates; absent where none is known.
+     */
+    system?: string | null;
+}
+
+/**
  * What is computed.
  */
 export type Computation = "affine_transformation" | "bundle_adjustment" | "by_and_bz" | "datum" | "determinant_form" | "distortion_correction" | "free_network" | "fundamental_matrix" | "homography" | "omega_and_kappa" | "relative_orientation" | "two_view_geometry";
@@ -4478,6 +4531,37 @@ export interface FilmInput {
 }
 
 /**
+ * What is left of steps in another block.
+ */
+export interface CarriedSteps {
+    steps: BlockEdit[][];
+    /**
+     * Of none of the former steps, of the first, of the first two and so on so many are left.
+     */
+    left: number[];
+    /**
+     * So many edits that were in force do not hold there.
+     */
+    lost: number;
+    /**
+     * What edits in force do to so many places of the orthophoto, or to observations of them, holds.
+     */
+    places_held: number;
+    /**
+     * Of so many something does not.
+     */
+    places_lost: number;
+    /**
+     * Of the edits that are lost so many are for these.
+     */
+    lost_for_places: number;
+    /**
+     * Former steps, by their indices, that were undone and cannot be done again there.
+     */
+    aside: number[];
+}
+
+/**
  * What is minimised.
  */
 export type OrientationMethod = "rigorous" | "determinant";
@@ -4570,7 +4654,7 @@ export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | {
 /**
  * What is weak about a model.
  */
-export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "looking_up"; observed: Observed; tilt_deg: number } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "positions_apart"; axis: Axis; difference_m: number; times: number; focal?: boolean } | { kind: "positions_elsewhere"; images: number; distance_km: number; place_slip: PlaceSlip | null } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; certain?: boolean; mistake: Mistake | null } | { kind: "control_untested"; point: string; measurements: number } | { kind: "control_unplaced"; point: string; measurements: number } | { kind: "control_contradicts"; refused: number; points: number; w?: number | null } | { kind: "control_tests_stopped"; left_out: number; points: number } | { kind: "control_unadjusted"; names: string[] } | { kind: "control_lost"; lost: number; points: number; from_bottom: boolean; control_apart?: ControlApart | null } | { kind: "control_without_place"; given: number; measured: number; taken: number } | { kind: "control_shape"; names: string[]; ratio: number; longest: string; shortest: string; point: string | null } | { kind: "few_control"; points: number; positions?: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number; check?: boolean } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[]; check?: boolean } | { kind: "checks_apart"; axis: Axis; points: number; difference_m: number; error_m: number } | { kind: "control_elsewhere"; points: number; images: string[]; check: boolean } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "focal_of_ground"; camera: NamedCamera; images_px: number; images_error_px: number; ground_px: number; ground_error_px: number } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
+export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "looking_up"; observed: Observed; tilt_deg: number } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "positions_apart"; axis: Axis; difference_m: number; times: number; focal?: boolean } | { kind: "positions_elsewhere"; images: number; distance_km: number; place_slip: PlaceSlip | null } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; certain?: boolean; mistake: Mistake | null } | { kind: "control_untested"; point: string; measurements: number } | { kind: "control_unplaced"; point: string; measurements: number } | { kind: "control_contradicts"; refused: number; points: number; w?: number | null } | { kind: "control_tests_stopped"; left_out: number; points: number } | { kind: "control_unadjusted"; names: string[] } | { kind: "control_lost"; lost: number; points: number; from_bottom: boolean; control_apart?: ControlApart | null } | { kind: "control_without_place"; given: number; measured: number; taken: number } | { kind: "control_shape"; names: string[]; ratio: number; longest: string; shortest: string; point: string | null } | { kind: "few_control"; points: number; positions?: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number; check?: boolean } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[]; check?: boolean } | { kind: "checks_apart"; axis: Axis; points: number; difference_m: number; error_m: number } | { kind: "stated_errors"; observed: Observed; columns: string[]; stated: number; residual_m: number | null; unit: LengthUnit } | { kind: "control_elsewhere"; points: number; images: string[]; check: boolean } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "focal_of_ground"; camera: NamedCamera; images_px: number; images_error_px: number; images_unit_px?: number; ground_px: number; ground_error_px: number } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
 
 /**
  * What makes an orientation weak although it could be computed.
@@ -5136,9 +5220,10 @@ export class FinishedBlock {
      */
     export(format: ExportFormat, emit: Emit): void;
     /**
-     * All its files, in steps of about one. `score`: what the summary holds of a simulated block.
+     * All its files, in steps of about one. `score`: what the summary holds of a simulated block; `language`: the tag of that of the report, `en`
+     * where it is absent.
      */
-    files(formats: readonly ExportFormat[], score?: BlockScore | null): BlockWriting;
+    files(formats: readonly ExportFormat[], score?: BlockScore | null, language?: string | null): BlockWriting;
     /**
      * The observations of an image.
      */
@@ -5368,9 +5453,9 @@ export class Report {
     free(): void;
     [Symbol.dispose](): void;
     /**
-     * The page, which holds everything it shows. Does the steps that are left.
+     * The page, which holds everything it shows; in English, or in the language of a tag. Does the steps that are left.
      */
-    html(): string;
+    html(language?: string | null): string;
     /**
      * Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
      * and row by row, are left out. With edits the run is that of the edited matches; the other strategies match by themselves.
@@ -5381,9 +5466,9 @@ export class Report {
      */
     step(): boolean;
     /**
-     * What each step does, in their order.
+     * What each step does, in their order; in English, or in the language of a tag.
      */
-    steps(): string[];
+    steps(language?: string | null): string[];
 }
 
 /**
@@ -5486,6 +5571,11 @@ export function camera_of_focal_px(focal_px: number): CameraMm;
  * The candidates of one left point, the best first: index of the right point and measure, stride 2.
  */
 export function candidates(index: number, left_points: Float64Array | readonly number[], left_descriptors: Float64Array | readonly number[], right_points: Float64Array | readonly number[], right_descriptors: Float64Array | readonly number[], offset: OffsetField, options: Given<MatchOptions>): Float64Array;
+
+/**
+ * The steps of edits that hold in another block, that was found or placed anew: by names of images and surveyed points, and by where places lie.
+ */
+export function carried_steps(carrying: Carrying): CarriedSteps;
 
 /**
  * Refuses a truth of other images.
@@ -6004,6 +6094,7 @@ export interface InitOutput {
     readonly camera_of_exif: (a: any) => [number, number, number];
     readonly camera_of_focal_px: (a: any) => [number, number, number];
     readonly candidates: (a: any, b: any, c: any, d: any, e: any, f: any, g: any) => [number, number, number, number];
+    readonly carried_steps: (a: any) => [number, number, number];
     readonly check_block_truth: (a: any, b: any) => [number, number];
     readonly check_cameras: (a: any, b: any) => [number, number];
     readonly check_control: (a: any, b: any, c: any, d: any, e: number) => [number, number];
@@ -6041,7 +6132,7 @@ export interface InitOutput {
     readonly finishedblock_edits: (a: number) => any;
     readonly finishedblock_epipolar_line: (a: number, b: any, c: any, d: any, e: any) => [number, number, number, number];
     readonly finishedblock_export: (a: number, b: any, c: any) => [number, number];
-    readonly finishedblock_files: (a: number, b: any, c: any) => [number, number, number];
+    readonly finishedblock_files: (a: number, b: any, c: any, d: number) => [number, number, number];
     readonly finishedblock_image_points: (a: number, b: any) => [number, number, number];
     readonly finishedblock_model: (a: number) => any;
     readonly finishedblock_on_orthophoto: (a: number) => any;
@@ -6142,10 +6233,10 @@ export interface InitOutput {
     readonly read_exif: (a: any, b: any, c: any) => [number, number, number];
     readonly refused_kind: (a: any, b: any) => [number, number, number];
     readonly remarks_of_positions: (a: any, b: any) => [number, number, number];
-    readonly report_html: (a: number) => [number, number, number, number];
+    readonly report_html: (a: number, b: number) => [number, number, number, number];
     readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any, g: number, h: number, i: any) => [number, number, number];
     readonly report_step: (a: number) => [number, number, number];
-    readonly report_steps: (a: number) => any;
+    readonly report_steps: (a: number, b: number) => [number, number, number];
     readonly resolved: (a: any) => [number, number, number];
     readonly rule_names: () => any;
     readonly run_complete: (a: number, b: number, c: any) => [number, number];
@@ -6167,7 +6258,7 @@ export interface InitOutput {
     readonly two_view: (a: any, b: any) => [number, number, number];
     readonly version: () => [number, number];
     readonly write_pair_project: (a: any) => [number, number, number, number];
-    readonly wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4: (a: number, b: number, c: any, d: any) => [number, number, number];
+    readonly wasm_bindgen__convert__closures_____invoke__h790386fd1bb3dd86: (a: number, b: number, c: any, d: any) => [number, number, number];
     readonly __wbindgen_malloc: (a: number, b: number) => number;
     readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
     readonly __wbindgen_free: (a: number, b: number, c: number) => void;

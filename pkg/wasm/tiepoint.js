@@ -412,13 +412,15 @@ export class FinishedBlock {
         }
     }
     /**
-     * All its files, in steps of about one. `score`: what the summary holds of a simulated block.
+     * All its files, in steps of about one. `score`: what the summary holds of a simulated block; `language`: the tag of that of the report, `en`
+     * where it is absent.
      * @param {readonly ExportFormat[]} formats
      * @param {BlockScore | null} [score]
+     * @param {string | null} [language]
      * @returns {BlockWriting}
      */
-    files(formats, score) {
-        const ret = wasm.finishedblock_files(this.__wbg_ptr, formats, score);
+    files(formats, score, language) {
+        const ret = wasm.finishedblock_files(this.__wbg_ptr, formats, score, isLikeNone(language) ? 0 : addToExternrefTable0(language));
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -1098,14 +1100,15 @@ export class Report {
         if (ptr !== 0) wasm.__wbg_report_free(ptr, 0);
     }
     /**
-     * The page, which holds everything it shows. Does the steps that are left.
+     * The page, which holds everything it shows; in English, or in the language of a tag. Does the steps that are left.
+     * @param {string | null} [language]
      * @returns {string}
      */
-    html() {
+    html(language) {
         let deferred2_0;
         let deferred2_1;
         try {
-            const ret = wasm.report_html(this.__wbg_ptr);
+            const ret = wasm.report_html(this.__wbg_ptr, isLikeNone(language) ? 0 : addToExternrefTable0(language));
             var ptr1 = ret[0];
             var len1 = ret[1];
             if (ret[3]) {
@@ -1155,12 +1158,16 @@ export class Report {
         return ret[0] !== 0;
     }
     /**
-     * What each step does, in their order.
+     * What each step does, in their order; in English, or in the language of a tag.
+     * @param {string | null} [language]
      * @returns {string[]}
      */
-    steps() {
-        const ret = wasm.report_steps(this.__wbg_ptr);
-        return ret;
+    steps(language) {
+        const ret = wasm.report_steps(this.__wbg_ptr, isLikeNone(language) ? 0 : addToExternrefTable0(language));
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
     }
 }
 if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
@@ -1441,6 +1448,19 @@ export function candidates(index, left_points, left_descriptors, right_points, r
     var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
     wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
     return v1;
+}
+
+/**
+ * The steps of edits that hold in another block, that was found or placed anew: by names of images and surveyed points, and by where places lie.
+ * @param {Carrying} carrying
+ * @returns {CarriedSteps}
+ */
+export function carried_steps(carrying) {
+    const ret = wasm.carried_steps(carrying);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
@@ -3122,8 +3142,8 @@ function __wbg_get_imports() {
             return ret;
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 16, ret: Result(Externref), inner_ret: Some(Result(Externref)) }, mutable: false }) -> Externref`.
-            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4);
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 1569, ret: Result(Externref), inner_ret: Some(Result(Externref)) }, mutable: false }) -> Externref`.
+            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h790386fd1bb3dd86);
             return ret;
         },
         __wbindgen_generic_0000000000000002: function(arg0) {
@@ -3151,8 +3171,8 @@ function __wbg_get_imports() {
     };
 }
 
-function wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3) {
-    const ret = wasm.wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__h790386fd1bb3dd86(arg0, arg1, arg2, arg3) {
+    const ret = wasm.wasm_bindgen__convert__closures_____invoke__h790386fd1bb3dd86(arg0, arg1, arg2, arg3);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }

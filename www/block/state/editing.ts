@@ -176,11 +176,11 @@ export function carried(state: BlockState, view: BlockView): { edits: Carried; s
   if (last !== undefined) {
     const back = way.reduce((steps, one) => marksBefore(one, steps), marks);
     // Places of an orthophoto that it lay on are no points of the block that was found.
-    const regained = { ...carriedOver(last.history, last.names, namesOf(view), true), places: NO_PLACES_AGAIN };
+    const regained = carriedOver(last.history, last.names, namesOf(view), true);
     if (regained.lost + regained.aside.length > 0 || last.names.givenControl !== view.givenControl) {
-      const { edits, said } = keptOf(regained, back, last.names);
+      const { edits, said, ofPlaces } = keptMeanwhile(regained, back, last.names);
       const places = back.edits.map((step) => step.after);
-      const awaiting = { ...last, kept: regained.history, left: regained.left, places, sameTiePoints: true, ofPlaces: 0 };
+      const awaiting = { ...last, kept: regained.history, left: regained.left, places, sameTiePoints: true, ofPlaces };
       return { edits: { ...edits, former, awaiting }, said };
     }
     return { edits: { ...UNEDITED, former, history: last.history, marks: back }, said: saidOfKept(last.history) };
@@ -194,15 +194,18 @@ export function carried(state: BlockState, view: BlockView): { edits: Carried; s
   const found = carriedOver(steps, names, namesOf(view), isSame);
   if (isSame && found.lost + found.aside.length === 0 && names.givenControl === view.givenControl)
     return { edits: { ...UNEDITED, former, history: steps, marks: beside }, said: saidOfKept(steps) };
-  // Whether places lie again is known once it lies on the orthophoto.
-  const ofPlaces = found.places.edits;
-  const { edits, said } = keptOf({ ...found, places: { ...NO_PLACES_AGAIN, edits: ofPlaces } }, beside, names);
+  const { edits, said, ofPlaces } = keptMeanwhile(found, beside, names);
   const places = beside.edits.map((step) => step.after);
   const one = { tiePoints, names, history: steps, kept: found.history, left: found.left, places, spots };
-  return {
-    edits: { ...edits, former: tiePoints === '' ? [] : withFormer(former, one), awaiting: { ...one, sameTiePoints: isSame, ofPlaces } },
-    said: [said, ofPlaces === 0 ? '' : say('edits-of-places-wait', { edits: ofPlaces })].filter((part) => part !== '').join(' '),
-  };
+  return { edits: { ...edits, former: tiePoints === '' ? [] : withFormer(former, one), awaiting: { ...one, sameTiePoints: isSame, ofPlaces } }, said };
+}
+
+/** What is kept until the block lies on the orthophoto: whether places lie again is known only then. `ofPlaces`: so many edits wait for it. */
+function keptMeanwhile(found: CarriedOver, marks: BlockState['marks'], names: Names): { edits: Carried; said: string; ofPlaces: number } {
+  const ofPlaces = found.places.edits;
+  const { edits, said } = keptOf({ ...found, places: { ...NO_PLACES_AGAIN, edits: ofPlaces } }, marks, names);
+  const saidOfPlaces = ofPlaces === 0 ? '' : say('edits-of-places-wait', { edits: ofPlaces });
+  return { edits, said: [said, saidOfPlaces].filter((part) => part !== '').join(' '), ofPlaces };
 }
 
 /** What waits of the block that was kept: its latest edits, where it does not lie on the orthophoto yet that they are of. */
