@@ -278,7 +278,7 @@ fn a_report_of_edited_matches_is_of_them_and_says_so() {
     assert_eq!(with[1..], without[1..]);
     assert_ne!(with[0], without[0]);
     assert_eq!(without[0], without[1]);
-    let by_hand = cells_after(&html, "What became of the left points", "of these: rejected by hand");
+    let by_hand = cells_after(&html, "What became of the left points", "of the matched: rejected by hand");
     assert_eq!(by_hand, [rejected.to_string().as_str(), "–", "–", "–", "–", "–"]);
     let kappa = row_after(&html, "Table 3.", "κ");
     let digits = kappa[0][kappa[0].find('.').unwrap() + 1..].find('<').unwrap();

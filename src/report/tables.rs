@@ -59,10 +59,12 @@ pub fn refusals(texts: &Texts, report: &Report) -> Markup {
             caption { (texts.say("report-became")) }
             (head(texts, &report.studies, false))
             tbody {
-                @for rule in applied { tr { th { (name(rule)) } @for study in &report.studies { td { (count(number(study, rule))) } } } }
-                @if let Some(edits) = &report.edits {
-                    (of_this_run(report, &texts.say("report-rejected-by-hand"), edits.rejected))
-                    (of_this_run(report, &texts.say("report-measured-by-hand"), edits.measured))
+                @for rule in applied {
+                    tr { th { (name(rule)) } @for study in &report.studies { td { (count(number(study, rule))) } } }
+                    @if let (Rule::Matched, Some(edits)) = (rule, &report.edits) {
+                        (of_this_run(report, &texts.say("report-rejected-by-hand"), edits.rejected))
+                        (of_this_run(report, &texts.say("report-measured-by-hand"), edits.measured))
+                    }
                 }
                 tr {
                     th { (texts.say("report-matched-gross-errors")) }
