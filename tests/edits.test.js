@@ -450,7 +450,7 @@ test('matched photographs stay in the list of projects when another one takes th
   const putAside = () => Promise.resolve(aside.push(store.state) > 0);
   const none = () => Promise.reject(new Error('not asked'));
   const engine = { open: () => Promise.resolve(), client: () => ({ call: async (/** @type {string} */ _, /** @type {{ file: File }} */ of) => of.file.name }) };
-  const files = new page.open.Files(store, engine, none, { toBlock: none, toGround: none, left: async () => {} }, putAside);
+  const files = new page.open.Files(store, engine, none, { toBlock: none, toGround: none, left: async () => () => {} }, putAside);
   files.begin();
   await files.take([file('third')], 'right');
   assert.deepEqual(aside, [{ ...before, notice: aside[0]?.notice }]);

@@ -39,7 +39,7 @@ function taking() {
     runs,
     async () => {},
     async () => true,
-    async () => {},
+    async () => () => {},
   );
   const take = (/** @type {Record<string, string | Uint8Array>} */ given) =>
     files.take(Object.entries(given).map(([name, content]) => ({ file: new File([/** @type {BlobPart} */ (content)], name), path: '' })));

@@ -91,7 +91,7 @@ function taking() {
     runs,
     () => Promise.resolve(),
     () => Promise.resolve(true),
-    () => Promise.resolve(),
+    () => Promise.resolve(() => {}),
   );
   const take = (/** @type {Record<string, string>} */ given) =>
     files.take(Object.entries(given).map(([name, text]) => ({ file: new File([text], name), path: '' })));

@@ -106,7 +106,7 @@ async function asideOf(state, take) {
   const putAside = () => Promise.resolve(aside.push([store.state.images.left?.name, store.state.images.right?.name]) > 0);
   const none = () => Promise.reject(new Error('not asked'));
   const engine = { open: () => Promise.resolve(), client: () => ({ call: async (/** @type {string} */ _, /** @type {{ file: File }} */ of) => of.file.name }) };
-  const files = new page.open.Files(store, engine, none, { toBlock: none, toGround: none, left: async () => {} }, putAside);
+  const files = new page.open.Files(store, engine, none, { toBlock: none, toGround: none, left: async () => () => {} }, putAside);
   files.begin();
   await take(files);
   return { aside, said: store.state.notice?.text };

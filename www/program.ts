@@ -103,6 +103,8 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
     });
   /** What a file holds decides which part shows it; what is no project is refused by the part that it was given to. */
   async function openProject(file: File): Promise<void> {
+    // The one that is being opened shows its own part.
+    await keeper.left();
     const mode = project_kind(new Uint8Array(await file.slice(0, START_BYTES).arrayBuffer())) ?? modes.state.mode;
     if (mode === 'block') return inBlock((block) => block.open(file));
     modes.dispatch(mode);

@@ -5,6 +5,7 @@ import { button, byId, fill, h } from '../shared/panel/dom';
 import { drawerButton, reveal, setDrawer } from '../shared/panel/drawers';
 import type { Taker } from '../shared/files/drop';
 import type { Keepable } from '../shared/files/keepable';
+import type { Here } from '../shared/files/leaving';
 import { fileButton } from '../shared/panel/picker';
 import { makeNear } from '../shared/panel/near';
 import { reveal as revealField } from '../shared/panel/reach';
@@ -79,7 +80,7 @@ interface Elsewhere {
   /** Leaves a part of the page in the list of projects; false where it cannot be. */
   putAside: (part: Keepable) => Promise<boolean>;
   /** Waits for the project that is being left. */
-  left: () => Promise<void>;
+  left: () => Promise<Here>;
 }
 
 /** In pieces, between which the page answers what the user does. */

@@ -2,6 +2,7 @@
 import type { Catalogue } from '../shared/crate';
 import type { FoundFile, Taker } from '../shared/files/drop';
 import type { Keepable } from '../shared/files/keepable';
+import type { Here } from '../shared/files/leaving';
 import { byId, h } from '../shared/panel/dom';
 import { drawerButton, reveal, setDrawer, uncoverPictures } from '../shared/panel/drawers';
 import { makeNear } from '../shared/panel/near';
@@ -72,7 +73,7 @@ export interface Elsewhere {
   /** Leaves a pair in the list of projects. */
   putAside: (pair: Keepable) => Promise<boolean>;
   /** Waits for the project that is being left. */
-  left: () => Promise<void>;
+  left: () => Promise<Here>;
 }
 
 /** In pieces, between which the page answers what the user does. */

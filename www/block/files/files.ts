@@ -1,6 +1,8 @@
 /** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
 import type { FoundFile } from '../../shared/files/drop';
-import { kindsText, refusedKinds } from '../../shared/files/refused';
+import { takeHere } from '../../shared/files/leaving';
+import type { Here } from '../../shared/files/leaving';
+import { kindsText, namesText, refusedKinds } from '../../shared/files/refused';
 import { Cancelled } from '../../shared/engine/client';
 import type { BlockFlight } from '../../../pkg/wasm/tiepoint.js';
 import { keepChoice, keptChoice } from '../../shared/choices';
@@ -70,7 +72,7 @@ export class BlockFiles {
     /** Leaves the block that is shown in the list of projects; false where it cannot be. */
     private readonly putAside: () => Promise<boolean>,
     /** Waits for the project that is being left: files are of the next one. */
-    private readonly left: () => Promise<void>,
+    private readonly left: () => Promise<Here>,
   ) {
     this.ground = new GroundFiles(store, placing);
     this.film = new FilmFiles(store);
@@ -93,14 +95,28 @@ export class BlockFiles {
   }
 
   /** Adds images to the block; what a folder holds besides images is left aside. `why` is said first. */
-  async take(given: readonly FoundFile[], why = ''): Promise<void> {
-    await this.left();
+  take(given: readonly FoundFile[], why = ''): Promise<void> {
+    return this.takeHere(
+      given.map(({ file }) => file.name),
+      (here) => this.takeKinds(given, why, here),
+    );
+  }
+
+  /** Takes what has these names for the project that is shown. */
+  private takeHere(names: readonly string[], take: (here: Here) => Promise<void>): Promise<void> {
+    const tell = () => this.tell('info', say('were-not-taken-the-project', { files: names.length, names: namesText(names) }));
+    return takeHere(this.left, take, tell);
+  }
+
+  private async takeKinds(given: readonly FoundFile[], why: string, here: Here): Promise<void> {
     const before = this.store.state.notice;
     const kinds = await refusedKinds(given.map(({ file }) => file));
     const unread = kindsText(kinds);
     const { others: found, taken, degrees, ...rasters } = asGiven(await sortRasters(given.filter(({ file }) => !kinds.has(file))));
+    here();
     const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
     const ground = await this.ground.take(rasters);
+    here();
     const several = taken === 0 ? '' : say('that-say-where-they-lie', { taken: images(taken) });
     // Nothing else is taken with what is wrong: it can be given again.
     if (ground === null) {
@@ -110,17 +126,20 @@ export class BlockFiles {
     const alone = found.filter(({ path }) => path === '');
     const project = alone.find(({ file }) => PROJECT.test(file.name));
     const film = await this.takeFilm(alone.map(({ file }) => file));
+    here();
     const said = [ground, several, film.said].filter((text) => text !== '').join(' ');
     const cameras = alone.find(({ file }) => CAMERAS.test(file.name) && !film.files.has(file));
     const geoid = alone.find(({ file }) => GEOID.test(file.name));
     const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith('image/'));
     if (project !== undefined) await this.openProject(project.file);
+    here();
     if (geoid !== undefined) this.takeGeoid(geoid.file);
     const notCameras = cameras === undefined ? '' : await this.takeCameras(cameras.file, photos);
     const tables = await this.takeTables(
       alone.map(({ file }) => file).filter((file) => TABLE.test(file.name) && !film.files.has(file)),
       photos,
     );
+    here();
     const aside =
       found.length - photos.length - film.files.size - tables.count - [project, cameras, geoid].filter((file) => file !== undefined).length + lone.length;
     if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '), before);
@@ -135,19 +154,29 @@ export class BlockFiles {
   }
 
   /** Takes files that are given as an orthophoto with what belongs to it, or as its heights: what they hold decides where it can be told. */
-  async takeGround(given: readonly File[], asHeights = false): Promise<void> {
+  takeGround(given: readonly File[], asHeights = false): Promise<void> {
+    return this.takeHere(
+      given.map(({ name }) => name),
+      (here) => this.takeRasters(given, asHeights, here),
+    );
+  }
+
+  private async takeRasters(given: readonly File[], asHeights: boolean, here: Here): Promise<void> {
     const kinds = await refusedKinds(given);
     const { others, ...sorted } = await sortRasters(given.filter((file) => !kinds.has(file)).map((file) => ({ file, path: '' })));
+    here();
     // A picture that does not say where it lies is refused with the crate's reason.
     const unknown = others.map(({ file }) => ({ file, world: null, projection: null }));
     const pictures = asHeights ? [] : [...sorted.orthophotos, ...(sorted.orthophotos.length > 0 ? [] : unknown)];
     const heights = [...sorted.heights, ...sorted.degrees, ...(asHeights ? [...sorted.orthophotos, ...unknown] : [])];
     const text = await this.ground.take({ orthophotos: pictures, heights, worlds: sorted.worlds, projections: sorted.projections });
+    here();
     await this.said(text, kindsText(kinds));
   }
 
   /** Takes one height for all of the ground. */
   async takeLevel(height: number): Promise<void> {
+    await this.left();
     await this.said(await this.ground.takeLevel(height));
   }
 
@@ -173,53 +202,70 @@ export class BlockFiles {
   }
 
   /** Takes more images than a pair has, which were given there. */
-  async give(files: readonly File[], masks: readonly File[]): Promise<void> {
-    await this.take(
-      files.map((file) => ({ file, path: '' })),
-      say('more-than-two-images-are'),
+  give(files: readonly File[], masks: readonly File[]): Promise<void> {
+    return this.takeHere(
+      [...files, ...masks].map(({ name }) => name),
+      async (here) => {
+        await this.takeKinds(
+          files.map((file) => ({ file, path: '' })),
+          say('more-than-two-images-are'),
+          here,
+        );
+        if (masks.length > 0) this.takeMasks(masks);
+      },
     );
-    if (masks.length > 0) this.takeMasks(masks);
   }
 
   /** Photographs a block and runs it, whatever waits. */
-  async sample(flight: BlockFlight): Promise<void> {
-    if (await this.simulate(flight)) await this.runs.run();
+  sample(flight: BlockFlight): Promise<void> {
+    return this.takeHere([say('simulated-block')], async (here) => {
+      if (await this.simulate(flight, here)) await this.runs.run();
+    });
   }
 
   /** Photographs a block and the orthophoto of its scene, with pixels of so many m, and places the photos on it. */
-  async sampleOnOrthophoto(flight: BlockFlight, gsd: number): Promise<void> {
-    if (!(await this.simulate(flight))) return;
-    this.tell('busy', say('making-the-orthophoto-of-the'));
-    try {
-      const { picture, heights } = await this.placing.scene(flight, gsd);
-      const rasters = {
-        orthophotos: [{ file: new File([picture], 'orthophoto.tif'), world: null, projection: null }],
-        heights: [{ file: new File([heights], 'heights.tif'), world: null, projection: null }],
-        worlds: [],
-        projections: [],
-      };
-      if ((await this.ground.take(rasters)) !== null) await this.runs.placeImages();
-    } catch (error) {
-      this.failed(say('the-orthophoto-could-not-be'), error);
-    }
+  sampleOnOrthophoto(flight: BlockFlight, gsd: number): Promise<void> {
+    return this.takeHere([say('simulated-block')], async (here) => {
+      if (!(await this.simulate(flight, here))) return;
+      this.tell('busy', say('making-the-orthophoto-of-the'));
+      try {
+        const { picture, heights } = await this.placing.scene(flight, gsd);
+        here();
+        const rasters = {
+          orthophotos: [{ file: new File([picture], 'orthophoto.tif'), world: null, projection: null }],
+          heights: [{ file: new File([heights], 'heights.tif'), world: null, projection: null }],
+          worlds: [],
+          projections: [],
+        };
+        const taken = await this.ground.take(rasters);
+        here();
+        if (taken !== null) await this.runs.placeImages();
+      } catch (error) {
+        this.failed(say('the-orthophoto-could-not-be'), error, here);
+      }
+    });
   }
 
   /** Photographs the simulated block that is set and runs it. */
-  async photograph(): Promise<void> {
-    const { flight } = this.store.state;
-    if (flight === null || !(await this.simulate(flight))) return;
-    if (this.waits) this.tell('info', say('photos-of-a-simulated-block', { files: this.store.state.files.length }));
-    else await this.runs.run();
+  photograph(): Promise<void> {
+    return this.takeHere([say('simulated-block')], async (here) => {
+      const { flight } = this.store.state;
+      if (flight === null || !(await this.simulate(flight, here))) return;
+      if (this.waits) this.tell('info', say('photos-of-a-simulated-block', { files: this.store.state.files.length }));
+      else await this.runs.run();
+    });
   }
 
   /** Photographs a flight, in place of the images that are there; false where that failed. */
-  private async simulate(flight: BlockFlight): Promise<boolean> {
+  private async simulate(flight: BlockFlight, here: Here): Promise<boolean> {
     this.tell('busy', say('building-the-synthetic-scene'));
     try {
-      const { files, truth } = await this.engine.photograph(flight, (count, of) =>
-        this.tell('busy', say('photographing-the-simulated-block-of', { count, of })),
-      );
-      const stays = await this.leave(say('photograph-another-block'));
+      const { files, truth } = await this.engine.photograph(flight, (count, of) => {
+        here();
+        this.tell('busy', say('photographing-the-simulated-block-of', { count, of }));
+      });
+      here();
+      const stays = await this.leave(say('photograph-another-block'), here);
       if (stays === null) {
         this.store.dispatch({ type: 'notice', notice: null });
         return false;
@@ -231,7 +277,7 @@ export class BlockFiles {
       this.store.dispatch({ type: 'files', files: files.map((file) => ({ ...file, id: newId() })), truth });
       return true;
     } catch (error) {
-      this.failed(say('the-block-could-not-be'), error);
+      this.failed(say('the-block-could-not-be'), error, here);
       return false;
     }
   }
@@ -327,23 +373,27 @@ export class BlockFiles {
   }
 
   /** Opens a block that was saved. */
-  async open(file: File): Promise<void> {
-    this.tell('busy', say('reading', { name: file.name }));
-    try {
-      const { view, edits, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
-      const edited = await this.leave(say('open-the-other-project'));
-      if (edited === null) {
-        this.store.dispatch({ type: 'notice', notice: null });
-        return;
+  open(file: File): Promise<void> {
+    return this.takeHere([file.name], async (here) => {
+      this.tell('busy', say('reading', { name: file.name }));
+      try {
+        const { view, edits, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
+        here();
+        const edited = await this.leave(say('open-the-other-project'), here);
+        if (edited === null) {
+          this.store.dispatch({ type: 'notice', notice: null });
+          return;
+        }
+        const stays = edited || (this.store.state.shown !== null && (await this.putAside()));
+        here();
+        hold();
+        this.store.dispatch({ type: 'openedFile', view, edits });
+        const former = stays ? say('the-former-block-stays-under') : '';
+        this.tell('info', say('was-opened-the-file-does', { name: file.name, former }));
+      } catch (error) {
+        this.failed(say('cannot-be-opened', { name: file.name }), error, here);
       }
-      const stays = edited || (this.store.state.shown !== null && (await this.putAside()));
-      hold();
-      this.store.dispatch({ type: 'openedFile', view, edits });
-      const former = stays ? say('the-former-block-stays-under') : '';
-      this.tell('info', say('was-opened-the-file-does', { name: file.name, former }));
-    } catch (error) {
-      this.failed(say('cannot-be-opened', { name: file.name }), error);
-    }
+    });
   }
 
   /** What the user decides to do with the orthophoto. */
@@ -388,12 +438,14 @@ export class BlockFiles {
    * Before the block is gone: one of photos that were not simulated, one with edits, and what was placed on an orthophoto stay in the list of projects, which
    * is true then. Null where it cannot, and the user keeps it.
    */
-  private async leave(step: string): Promise<boolean | null> {
+  private async leave(step: string, here: Here = () => undefined): Promise<boolean | null> {
     const { shown, truth, history, marks, placing } = this.store.state;
     const length = history.edits.length + marks.edits.length;
     const isFound = shown !== null && !shown.view.partial && shown.view.oriented > 0 && truth === null;
     if (length === 0 && placing.placed.size === 0 && !isFound) return false;
-    if (await this.putAside()) return true;
+    const stays = await this.putAside();
+    here();
+    if (stays) return true;
     const what = placing.placed.size > 0 ? say('what-was-placed-on-the') : say('the-block-of-these-photos');
     const edits = length === 0 ? what : length === 1 ? say('the-edit-by-hand-of') : say('the-edits-by-hand-of', { length });
     return window.confirm(say('cannot-be-kept-in-this', { edits, step, length: Math.max(1, length) })) ? false : null;
@@ -458,7 +510,8 @@ export class BlockFiles {
     return running.kind === 'yes' || placing.running !== null;
   }
 
-  private failed(what: string, error: unknown): void {
+  private failed(what: string, error: unknown, here: Here): void {
+    here();
     if (error instanceof Cancelled) this.tell('info', say('cancelled-nothing-was-changed'));
     else this.tell('problem', say('the-block-is-unchanged', { what, error: messageOf(error) }));
   }

@@ -4,7 +4,7 @@ import type { Engine } from '../engine/engine';
 import type { Flight } from '../../shared/crate';
 import { sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
-import { hasData, hasMarks, isWorthKeeping } from '../state/kept';
+import { bothSides, hasData, hasMarks, isWorthKeeping } from '../state/kept';
 import { editsOfFile } from '../state/project';
 import type { OpenedProject } from '../state/project';
 import { calibrationBehind } from '../../shared/state/calibrations';
@@ -13,6 +13,8 @@ import { SIDES } from '../state/state';
 import type { GivenImage, Side, State } from '../state/state';
 import type { Store } from '../state/store';
 import type { FoundFile, Taker } from '../../shared/files/drop';
+import { takeHere } from '../../shared/files/leaving';
+import type { Here } from '../../shared/files/leaving';
 import type { Choice, Notice } from '../../shared/state/notice';
 import { kindsText, namesText, refusedKinds, refusedText } from '../../shared/files/refused';
 import type { Refused } from '../../shared/files/refused';
@@ -49,6 +51,7 @@ type Told = { kind: 'info' | 'problem'; text: string; choices?: readonly Choice[
 
 const problem = (text: string): Told => ({ kind: 'problem', text });
 const info = (text: string): Told => ({ kind: 'info', text });
+const unchanged = () => info(say('cancelled-nothing-was-changed'));
 
 /** What came of images; `isCancelled`: Cancel ended their reading. */
 interface Opened {
@@ -85,7 +88,7 @@ export class Files {
       /** Takes photographs with the orthophoto or the heights that they are to be placed by; false where there are none among the files. */
       toGround: (found: FoundFile[]) => Promise<boolean>;
       /** Waits for the project that is being left: files are of the next one. */
-      left: () => Promise<void>;
+      left: () => Promise<Here>;
     },
     /** Leaves the project in the list before another pair takes its place; false where it cannot. */
     private readonly putAside: () => Promise<boolean>,
@@ -110,13 +113,27 @@ export class Files {
   /** Takes files of any kind; `side` says where a single one belongs. `asks`: whether a third photo may replace one is asked before it does. */
   async take(files: readonly File[], side: Side | null, asks = side === null): Promise<void> {
     if (files.length === 0) return;
-    await this.elsewhere.left();
+    await this.takeHere(
+      files.map(({ name }) => name),
+      (here) => this.takeKinds(files, side, asks, here),
+    );
+  }
+
+  /** Takes what has these names for the project that is shown. */
+  private takeHere(names: readonly string[], take: (here: Here) => Promise<void>): Promise<void> {
+    const tell = () => this.tell([info(say('were-not-taken-the-project', { files: names.length, names: namesText(names) }))]);
+    return takeHere(this.elsewhere.left, take, tell);
+  }
+
+  private async takeKinds(files: readonly File[], side: Side | null, asks: boolean, here: Here): Promise<void> {
     this.store.dispatch({ type: 'notice', notice: null });
     const refused = await refusedKinds(files);
+    here();
     const { images, masks, tables, cameras, projects } = sortFiles(files.filter((file) => !refused.has(file)));
     const [project] = projects;
     if (project !== undefined) {
       await this.openProject(project);
+      here();
       const others = files.filter((file) => !projects.includes(file));
       if (others.length > 0) await this.take(others, side, asks);
       return;
@@ -132,9 +149,9 @@ export class Files {
     const before = this.store.state.images;
     const told: Told[] = refused.size === 0 ? [] : [problem(kindsText(refused))];
     const camera = cameras[0];
-    if (camera !== undefined) told.push(await this.takeCamera(camera));
+    if (camera !== undefined) told.push(await this.takeCamera(camera, here));
     // Marks of the image before it go with that.
-    const { told: ofImages, isCancelled } = images.length > 0 ? await this.takeImages(images, side, asks) : { told: [], isCancelled: false };
+    const { told: ofImages, isCancelled } = images.length > 0 ? await this.takeImages(images, side, asks, here) : { told: [], isCancelled: false };
     // What belongs to images whose reading was cancelled would start the run that they wait for.
     if (isCancelled) {
       const names = [...tables, ...masks].map(({ name }) => name);
@@ -144,38 +161,44 @@ export class Files {
       );
       return;
     }
-    for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
+    for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i), here));
     told.push(...ofImages);
     if (camera === undefined) told.push(this.cameraStays(before));
-    for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
+    for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i), here));
     this.tell(told, before);
   }
 
   /** Opens a pair that was saved. */
-  async takeProject(file: File): Promise<void> {
-    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: say('reading', { name: file.name }) } });
-    try {
-      const opened = await readProject(this.engine, file, freshId);
-      const aside = await this.leave(hasMarks(this.store.state));
-      this.store.dispatch({ type: 'opened', opened });
-      this.tell([info(say('was-opened-the-file-does-not', { name: file.name })), editsToldOf(opened), aside]);
-    } catch (error) {
-      this.tell([this.failed(say('cannot-be-opened', { name: file.name }), error)]);
-    }
+  takeProject(file: File): Promise<void> {
+    return this.takeHere([file.name], async (here) => {
+      this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: say('reading', { name: file.name }) } });
+      try {
+        const opened = await readProject(this.engine, file, freshId);
+        const aside = await this.leave(hasMarks(this.store.state), here);
+        if (aside === null) return this.tell([unchanged()]);
+        this.store.dispatch({ type: 'opened', opened });
+        this.tell([info(say('was-opened-the-file-does-not', { name: file.name })), editsToldOf(opened), ...aside]);
+      } catch (error) {
+        this.tell([this.failed(say('cannot-be-opened', { name: file.name }), error, here)]);
+      }
+    });
   }
 
   /** Takes an image whose zeros say where no points are wanted; it has to be as large as the image that is open. */
-  async takeMask(file: File, side: Side): Promise<void> {
-    this.store.dispatch({ type: 'notice', notice: null });
-    this.tell([await this.readMask(file, side)]);
+  takeMask(file: File, side: Side): Promise<void> {
+    return this.takeHere([file.name], async (here) => {
+      this.store.dispatch({ type: 'notice', notice: null });
+      this.tell([await this.readMask(file, side, here)]);
+    });
   }
 
-  private async readMask(file: File, side: Side): Promise<Told> {
+  private async readMask(file: File, side: Side, here: Here): Promise<Told> {
     const opened = this.store.state.images[side];
     if (opened === null) return problem(say('is-a-mask-of-the', { name: file.name, side }));
     try {
       const { info: photo } = await this.engine.open(side, opened);
       const mask = await this.engine.client('pair').call('mask', { file, overlaySide: MASK_SIDE });
+      here();
       if (mask.width !== photo.width || mask.height !== photo.height) {
         return problem(
           say('has-px-the-image-px', { name: file.name, width: mask.width, height: mask.height, side, width_2: photo.width, height_2: photo.height }),
@@ -184,22 +207,26 @@ export class Files {
       this.store.dispatch({ type: 'mask', side, mask: { ...mask, id: freshId(), name: file.name, source: { kind: 'file', file } } });
       return info(say('masks-of-the-image', { name: file.name, left_out: 100 * mask.leftOut, side }));
     } catch (error) {
-      return this.failed(say('cannot-be-used-as-a', { name: file.name }), error);
+      return this.failed(say('cannot-be-used-as-a', { name: file.name }), error, here);
     }
   }
 
   /** Renders the pair of a flight in a worker and opens it. */
-  async takeFlight(name: string, flight: Flight): Promise<void> {
-    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: say('rendering-the-pair-a-simulated') } });
-    try {
-      const pair = await this.engine.client('pair').call('simulate', flight);
-      const given = (side: Side): GivenImage => ({ id: freshId(), name: `${name} ${side}`, source: { kind: 'grey', ...pair[side] } });
-      const aside = await this.leave(hasMarks(this.store.state));
-      this.store.dispatch({ type: 'simulated', left: given('left'), right: given('right'), pair });
-      this.tell([aside]);
-    } catch (error) {
-      this.tell([this.failed(say('the-pair-could-not-be'), error)]);
-    }
+  takeFlight(name: string, flight: Flight): Promise<void> {
+    const names = bothSides((side) => `${name} ${side}`);
+    return this.takeHere(Object.values(names), async (here) => {
+      this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: say('rendering-the-pair-a-simulated') } });
+      try {
+        const pair = await this.engine.client('pair').call('simulate', flight);
+        const given = (side: Side): GivenImage => ({ id: freshId(), name: names[side], source: { kind: 'grey', ...pair[side] } });
+        const aside = await this.leave(hasMarks(this.store.state), here);
+        if (aside === null) return this.tell([unchanged()]);
+        this.store.dispatch({ type: 'simulated', left: given('left'), right: given('right'), pair });
+        this.tell(aside);
+      } catch (error) {
+        this.tell([this.failed(say('the-pair-could-not-be'), error, here)]);
+      }
+    });
   }
 
   /** The built-in pair. */
@@ -228,8 +255,9 @@ export class Files {
     return notice?.kind !== 'info' || notice.choices !== undefined ? [] : [{ kind: 'info', text: notice.text }];
   }
 
-  private failed(what: string, error: unknown): Told {
-    if (error instanceof Cancelled) return info(say('cancelled-nothing-was-changed'));
+  private failed(what: string, error: unknown, here: Here): Told {
+    here();
+    if (error instanceof Cancelled) return unchanged();
     return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
   }
 
@@ -240,32 +268,35 @@ export class Files {
     return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? 'right' : 'left';
   }
 
-  private async takeFiducials(file: File, side: Side): Promise<Told> {
+  private async takeFiducials(file: File, side: Side, here: Here): Promise<Told> {
     try {
       const fiducials = await this.engine.client('pair').call('parseFiducials', { text: await file.text() });
+      here();
       this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
       return info(say('fiducial-of-the-image-from', { fiducials: fiducials.length, side, name: file.name }));
     } catch (error) {
-      return this.failed(say('holds-no-fiducial-marks', { name: file.name }), error);
+      return this.failed(say('holds-no-fiducial-marks', { name: file.name }), error, here);
     }
   }
 
-  private async takeCamera(file: File): Promise<Told> {
+  private async takeCamera(file: File, here: Here): Promise<Told> {
     try {
       const camera = await this.engine.client('pair').call('parseCamera', { text: await file.text() });
+      here();
       this.store.dispatch({ type: 'camera', camera });
       return info(say('camera-data-from', { name: file.name }));
     } catch (error) {
-      return this.failed(say('holds-no-camera-data', { name: file.name }), error);
+      return this.failed(say('holds-no-camera-data', { name: file.name }), error, here);
     }
   }
 
   /** Opens one or two images; each is decoded first, and replaces what is there only if it can be read. */
-  private async takeImages(files: readonly File[], side: Side | null, asks: boolean): Promise<Opened> {
+  private async takeImages(files: readonly File[], side: Side | null, asks: boolean, here: Here): Promise<Opened> {
     const tooLarge = files.find((file) => file.size > MOST_BYTES);
     if (tooLarge !== undefined) return done([problem(say('has-mb-up-to-1', { name: tooLarge.name, size: Math.round(tooLarge.size / 2 ** 20) }))]);
     const known = await Promise.all(files.map((file) => sideOfFile(this.store.state, this.engine, file)));
-    if (known.every((place) => place !== null)) return this.takeFound(files, known);
+    here();
+    if (known.every((place) => place !== null)) return this.takeFound(files, known, here);
     const sides = files.length === 2 ? (['left', 'right'] as const) : [side ?? this.freeSide()];
     const images: Partial<Record<Side, GivenImage>> = {};
     for (const [i, file] of files.entries()) {
@@ -276,22 +307,23 @@ export class Files {
       type: 'notice',
       notice: { kind: 'busy', text: say('reading-2', { join: files.map((file) => file.name).join(say('and-between')) }) },
     });
-    return this.check(images, 'images', asks);
+    return this.check(images, 'images', here, asks);
   }
 
   /** The files of images that a project names take their places: nothing of the project changes. */
-  private async takeFound(files: readonly File[], sides: readonly Side[]): Promise<Opened> {
+  private async takeFound(files: readonly File[], sides: readonly Side[], here: Here): Promise<Opened> {
     const images: Partial<Record<Side, GivenImage>> = {};
     for (const [i, side] of sides.entries()) {
       const [image, file] = [this.store.state.images[side], files[i]];
       if (image !== null && file !== undefined) images[side] = { ...image, source: { kind: 'file', file } };
     }
-    return this.check(images, 'found');
+    return this.check(images, 'found', here);
   }
 
-  private async check(images: Partial<Record<Side, GivenImage>>, type: 'images' | 'found', asks = false): Promise<Opened> {
+  private async check(images: Partial<Record<Side, GivenImage>>, type: 'images' | 'found', here: Here, asks = false): Promise<Opened> {
     const entries = Object.entries(images) as [Side, GivenImage][];
     const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
+    here();
     const isCancelled = outcomes.some((outcome) => outcome.status === 'rejected' && outcome.reason instanceof Cancelled);
     if (type === 'images' && isCancelled && entries.every(([side]) => this.store.state.images[side] === null))
       return { told: this.leaveToRun(entries, outcomes), isCancelled };
@@ -312,7 +344,8 @@ export class Files {
       return done([]);
     }
     const question = asks ? await this.askOfThird(images) : null;
-    return done(question === null ? await this.show(images) : [question]);
+    here();
+    return question === null ? this.show(images, here) : done([question]);
   }
 
   /** Images that take no other's place stay where Cancel ended their reading: Run opens them. */
@@ -349,10 +382,13 @@ export class Files {
     return { kind: 'info', text: say('is-a-third-image', { name: third.name, side }), choices };
   }
 
-  private async replace(images: Partial<Record<Side, GivenImage>>): Promise<void> {
-    const before = this.store.state.images;
-    const told = await this.show(images);
-    this.tell([...told, this.cameraStays(before)]);
+  private replace(images: Partial<Record<Side, GivenImage>>): Promise<void> {
+    const names = Object.values(images).map(({ name }) => name);
+    return this.takeHere(names, async (here) => {
+      const before = this.store.state.images;
+      const { told } = await this.show(images, here);
+      this.tell([...told, this.cameraStays(before)]);
+    });
   }
 
   /** A camera that was given for the images before these is in use for them too; of one that a block calibrated is said elsewhere whether it is theirs. */
@@ -363,15 +399,17 @@ export class Files {
   }
 
   /** Shows images that were decoded. */
-  private async show(images: Partial<Record<Side, GivenImage>>): Promise<Told[]> {
+  private async show(images: Partial<Record<Side, GivenImage>>, here: Here): Promise<Opened> {
     // A single one takes the mask of the one before it away, and the edits of their matches.
     const { photos, images: former } = this.store.state;
     const marked = await this.marked(images);
     // Beside an image that is alone nothing is lost.
     const replaces = SIDES.some((side) => images[side] !== undefined && former[side] !== null);
-    const aside = replaces ? await this.leave(marked.gone.length > 0) : null;
+    here();
+    const aside = replaces ? await this.leave(marked.gone.length > 0, here) : [];
+    if (aside === null) return { told: [unchanged()], isCancelled: true };
     this.store.dispatch({ type: 'images', images, same: marked.same });
-    return [aside, ...marked.gone.map((side) => info(say('marks-went-with-the-image', { side, marks: photos[side].fiducials.length })))];
+    return done([...aside, ...marked.gone.map((side) => info(say('marks-went-with-the-image', { side, marks: photos[side].fiducials.length })))]);
   }
 
   /** Of the sides whose image is replaced and has marks those whose new image is the same, and those whose marks go. */
@@ -386,11 +424,19 @@ export class Files {
     return a === null || b === undefined ? Promise.resolve(false) : haveSameContent(a.source, b.source, this.engine);
   }
 
-  /** Before another pair takes the place of one that is worth keeping: it stays in the list of projects. `marksGo`: so do images whose marks go with them. */
-  private async leave(marksGo: boolean): Promise<Told> {
-    if (!marksGo && !isWorthKeeping(this.store.state)) return null;
+  /**
+   * Before another pair takes the place of one that is worth keeping: it stays in the list of projects, which is said; null where it cannot, and the user keeps
+   * it. `marksGo`: so do images whose marks go with them.
+   */
+  private async leave(marksGo: boolean, here: Here): Promise<readonly Told[] | null> {
+    here();
+    if (!marksGo && !isWorthKeeping(this.store.state)) return [];
     const names = SIDES.flatMap((side) => this.store.state.images[side]?.name ?? []);
-    return (await this.putAside()) ? info(say('stay-under-projects', { title_of: titleOf({ name: null, images: names }) })) : null;
+    const stays = await this.putAside();
+    here();
+    if (stays) return [info(say('stay-under-projects', { title_of: titleOf({ name: null, images: names }) }))];
+    const question = say('cannot-be-kept-in-this', { edits: say('the-pair-with-its-marks'), step: say('open-the-other-pair'), length: 1 });
+    return window.confirm(question) ? [] : null;
   }
 
   /** What is said of images that could not be opened: a reason that holds for several stands once. */
@@ -402,7 +448,7 @@ export class Files {
       if (breakdown !== null) told.push(problem(say('could-not-be-opened-try', { name, breakdown })));
       else if (!(error instanceof Cancelled)) refused.push({ name, reason: readable(this.store.state.catalogue, messageOf(error)) });
     }
-    if (failed.some(({ error }) => error instanceof Cancelled)) told.push(info(say('cancelled-nothing-was-changed')));
+    if (failed.some(({ error }) => error instanceof Cancelled)) told.push(unchanged());
     return refused.length === 0 ? told : [...told, problem(refusedText(refused))];
   }
 

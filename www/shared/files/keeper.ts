@@ -7,6 +7,8 @@ import { type Database, FORM, KeepError } from './database';
 import type { Kept, ProjectRow } from './database';
 import { randomName } from './keepable';
 import type { Keepable } from './keepable';
+import { Leaving } from './leaving';
+import type { Here } from './leaving';
 import { say } from '../text/words';
 import { messageOf } from '../text/messages';
 
@@ -30,6 +32,9 @@ export interface Trouble {
   reason: string;
   project: { id: string; title: string } | null;
 }
+
+/** Where one of these stands in the way what is on the page is not kept; the others are about another project. */
+const NOT_KEPT: readonly Trouble['kind'][] = ['absent', 'full', 'failed', 'reading', 'taken'];
 
 /** As its one writer, where no other tab is that; in the place of that tab; or only to look at what is kept. */
 export type Opening = 'claim' | 'steal' | 'look';
@@ -69,8 +74,7 @@ export class Keeper {
   private isNew = true;
   private timer: number | undefined;
   private saving: Promise<void> = Promise.resolve();
-  /** Ends when the project that was left last is. */
-  private lastLeft: Promise<void> = Promise.resolve();
+  private readonly leaving = new Leaving();
 
   constructor(
     private readonly keepables: readonly Keepable[],
@@ -107,10 +111,14 @@ export class Keeper {
 
   /** Whether something on the page would be lost if it were left now. */
   get isLost(): boolean {
+    if (this.keeping.state.trouble?.kind === 'reading') return this.isChanged();
+    return !this.isKept && this.keepables.some((keepable) => keepable.parts().size > 0);
+  }
+
+  /** Whether what is on the page is kept. */
+  private get isKept(): boolean {
     const { works, trouble } = this.keeping.state;
-    if (trouble?.kind === 'reading') return this.isChanged();
-    const stays = works && trouble?.kind !== 'full' && trouble?.kind !== 'failed' && trouble?.kind !== 'taken';
-    return !stays && this.keepables.some((keepable) => keepable.parts().size > 0);
+    return works && (trouble === null || !NOT_KEPT.includes(trouble.kind));
   }
 
   /** All projects that are kept, the one changed last first. */
@@ -124,13 +132,14 @@ export class Keeper {
 
   /** Opens a kept project in place of the present one, which stays in the list; where it cannot be opened nothing changes. */
   open(id: string, how: Opening = 'claim'): Promise<void> {
-    return this.leaving(this.opened(id, how));
+    return this.leaving.inTurn(() => this.opened(id, how));
   }
 
   private async opened(id: string, how: Opening): Promise<void> {
     await this.settle();
     const show = await this.read(id, how);
     if (show === null) return;
+    this.leaving.leave();
     // What was changed while it was read.
     await this.settle();
     for (const keepable of this.keepables) keepable.clear();
@@ -154,20 +163,16 @@ export class Keeper {
 
   /** Puts the present project aside and begins a new one. */
   anew(): Promise<void> {
-    return this.leaving(this.begun());
+    return this.leaving.inTurn(() => this.begun());
   }
 
   /** Waits for the project that is being left: what is given meanwhile belongs to the next one. */
-  left(): Promise<void> {
-    return this.lastLeft;
-  }
-
-  private leaving(way: Promise<void>): Promise<void> {
-    this.lastLeft = way.catch(() => undefined);
-    return way;
+  left(): Promise<Here> {
+    return this.leaving.left();
   }
 
   private async begun(): Promise<void> {
+    this.leaving.leave();
     await this.settle();
     await this.begin();
     for (const keepable of this.keepables) keepable.clear();
@@ -178,9 +183,15 @@ export class Keeper {
    * Leaves a part of the page in the list of projects and goes on with the same in another one; false where that is not kept. What the other
    * parts of the page have stays in the present project: nothing is kept twice.
    */
-  async putAside(part: Keepable): Promise<boolean> {
+  putAside(part: Keepable): Promise<boolean> {
+    const { count } = this.leaving;
+    // With its project the part was left in the list, too.
+    return this.leaving.inTurn(async () => count !== this.leaving.count || this.putsAside(part));
+  }
+
+  private async putsAside(part: Keepable): Promise<boolean> {
     await this.settle();
-    if (this.isNew || this.keeping.state.trouble !== null) return false;
+    if (this.isNew || !this.isKept) return false;
     const others = this.keepables.some((keepable) => keepable.mode !== part.mode && keepable.parts().size > 0);
     if (others) return this.separate(part);
     await this.begin();

@@ -42,7 +42,6 @@ open-the-other-project = افتح المشروع الآخر
 the-former-block-stays-under = {" "}الكتلة السابقة باقية في المشاريع.
 was-opened-the-file-does = فُتح { $name }. لا يحوي الملف صوره: أفلتها أيضًا لفتح الأزواج.{ $former }
 keeping-the-pair = يُحفظ الزوج …
-the-pair-with-its-marks = الزوج المعروض بعلاماته وأقنعته وكاميراه
 open-the-pair-of-the-block = افتح زوج الكتلة
 keeping-the-edited-block = تُحفظ الكتلة المعدلة …
 run-it-again = أعد التشغيل
@@ -56,10 +55,6 @@ the-stays-under-projects = يبقى ذلك في المشاريع: { $what }.
 what-was-placed-on-the = ما وُضع على الصورة المصححة
 the-edit-by-hand-of = التعديل اليدوي لهذه الكتلة
 the-edits-by-hand-of = التعديلات اليدوية لهذه الكتلة، وعددها { $length }،
-cannot-be-kept-in-this = لا يمكن في هذا المتصفح حفظ: { $edits } { $step } { $length ->
-        [one] دونه
-       *[other] دونها
-    }؟
 in-the-block = { $sorted } في الكتلة.
 skipped-their-names-are-in = تُخطّيت { $twice }: أسماؤها في الكتلة من قبل.
 holds-settings = { $name } ملف إعدادات: حمّله من «الإعدادات». وُضع جانبًا.

@@ -71,6 +71,7 @@ marks-went-with-the-image = ذهب مع الصورة { $side ->
        *[other] { $marks } علامة إطارية
     }.
 stay-under-projects = يبقى { $title_of } في المشاريع.
+open-the-other-pair = افتح الزوج الآخر
 could-not-be-opened-try = تعذر فتح { $name }: { $breakdown }. جرّب صورة أصغر، أو أغلق ألسنة تبويب أخرى.
 the-pair-is-not-matched = لم يُطابَق الزوج بالإعدادات الحالية بعد
 report-reading-the-images = التقرير: تجري قراءة الصور …

@@ -5,6 +5,16 @@ the-field-is-damaged = الحقل { $name } تالف
 reading = تجري قراءة { $name } …
 cannot-be-opened = لا يمكن فتح { $name }
 cancelled-nothing-was-changed = أُلغي. لم يتغير شيء.
+were-not-taken-the-project = { $files ->
+        [one] لم يؤخذ { $names }: تُرك المشروع قبل قراءته.
+        [two] لم يؤخذ { $names }: تُرك المشروع قبل قراءتهما.
+       *[other] لم تؤخذ { $names }: تُرك المشروع قبل قراءتها.
+    }
+cannot-be-kept-in-this = لا يمكن في هذا المتصفح حفظ: { $edits } { $step } { $length ->
+        [one] دونه
+       *[other] دونها
+    }؟
+the-pair-with-its-marks = الزوج المعروض بمطابقاته وعلاماته وأقنعته وكاميراه
 settings = الإعدادات
 named-settings = الإعدادات: { $settings }
 geoid = الجيوئيد

@@ -57,7 +57,6 @@ open-the-other-project = Open the other project
 the-former-block-stays-under = {" "}The former block stays under Projects.
 was-opened-the-file-does = { $name } was opened. The file does not hold its images: drop them too to open pairs.{ $former }
 keeping-the-pair = Keeping the pair …
-the-pair-with-its-marks = The pair on the page, with its marks, masks and camera,
 open-the-pair-of-the-block = Open the pair of the block
 keeping-the-edited-block = Keeping the edited block …
 run-it-again = Run it again
@@ -71,10 +70,6 @@ the-stays-under-projects = The { $what } stays under Projects.
 what-was-placed-on-the = What was placed on the orthophoto
 the-edit-by-hand-of = The edit by hand of this block
 the-edits-by-hand-of = The { $length } edits by hand of this block
-cannot-be-kept-in-this = { $edits } cannot be kept in this browser. { $step } without { $length ->
-        [one] it
-       *[other] them
-    }?
 in-the-block = { $sorted } in the block.
 skipped-their-names-are-in = { $twice } skipped: their names are in the block already.
 holds-settings = { $name } holds settings: load it under Settings. It is put aside.

@@ -81,6 +81,7 @@ marks-went-with-the-image = The { $marks ->
        *[right] right
     } image went with it.
 stay-under-projects = { $title_of } stay under Projects.
+open-the-other-pair = Open the other pair
 could-not-be-opened-try = { $name } could not be opened: { $breakdown }. Try a smaller image, or close other tabs.
 
 ## files/project

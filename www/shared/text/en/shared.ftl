@@ -7,6 +7,18 @@ the-field-is-damaged = the field { $name } is damaged
 reading = Reading { $name } …
 cannot-be-opened = { $name } cannot be opened
 cancelled-nothing-was-changed = Cancelled. Nothing was changed.
+were-not-taken-the-project = { $names } { $files ->
+        [one] was
+       *[other] were
+    } not taken: the project was left before { $files ->
+        [one] it was
+       *[other] they were
+    } read.
+cannot-be-kept-in-this = { $edits } cannot be kept in this browser. { $step } without { $length ->
+        [one] it
+       *[other] them
+    }?
+the-pair-with-its-marks = The pair on the page, with its matches, marks, masks and camera,
 settings = Settings
 named-settings = Settings: { $settings }
 geoid = Geoid
