@@ -433,6 +433,24 @@ test('nothing that says matches or settings can be saved while a run goes on, no
   assert.deepEqual(page.savable.savable(cancelled), { ...none, csv: true });
 });
 
+test('epipolar images are offered where the project that they are made of has an orientation', () => {
+  const opens = opened();
+  const withFile = (/** @type {any} */ image) => ({ ...image, source: { kind: 'file', file: new File([image.name], image.name) } });
+  const { left, right } = opens.images;
+  const state = { ...opens, images: { left: withFile(left), right: withFile(right) } };
+  assert.equal(page.savable.savable(state).epipolar, true);
+  // What of a run with other settings is left when it is cancelled: the orientation that is shown is of those before.
+  const { settings } = state;
+  for (const other of [
+    { ...settings, matching: { ...settings.matching, strategy: 'invariants' } },
+    { ...settings, orientation: { ...settings.orientation, seed: 7 } },
+  ]) {
+    const cancelled = page.reducer.reduce(page.reducer.reduce(state, { type: 'settings', settings: other }), { type: 'cancelled' });
+    assert.notEqual(page.select.shownPair(cancelled).orientation, null);
+    assert.equal(page.savable.savable(cancelled).epipolar, false);
+  }
+});
+
 test('matched photographs stay in the list of projects when another one takes the place of one of them', async () => {
   const file = (/** @type {string} */ name) => new File([name], name, { lastModified: 1 });
   const store = {

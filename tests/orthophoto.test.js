@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
-import { BlockScene, geographic_positions, grey_png, image_position, OrthophotoReference, system_coordinates } from '../pkg/node.js';
+import { block_settings, BlockScene, geographic_positions, grey_png, image_position, OrthophotoReference, system_coordinates } from '../pkg/node.js';
 import { inDegrees } from './page/georeferenced.js';
 import { pageModules } from './www.js';
 
@@ -18,6 +18,7 @@ before(async () => {
       'block/state/under',
       'block/state/placing',
       'block/state/film',
+      'block/state/given-positions',
       'block/state/placed',
       'block/state/laid',
       'block/state/showing',
@@ -299,6 +300,37 @@ test('another orthophoto takes what was placed away; other settings mark it as e
   assert.deepEqual(reducePlacing(placing, { type: 'orthophoto', orthophoto: null }), { ...NO_PLACING, options });
 });
 
+test('coordinates of a table have the system of the block: another one has those images placed anew whose positions it moves', () => {
+  const { NO_PLACING, reducePlacing } = page.placing;
+  const { placedFiles, placingKey, placingKeyOf } = page.placed;
+  const files = ['a.jpg', 'b.jpg'].map((name, k) => ({ id: k + 1, name, file: new Blob() }));
+  const state = (/** @type {any} */ placing, /** @type {string} */ text, /** @type {string} */ crs) => ({
+    placing,
+    files,
+    options: { cameras: null, positions: { name: 'flight.csv', text }, settings: block_settings({ placing: { crs } }) },
+  });
+  /** Which of both are to be placed anew with one system after the other. @param {string} text @returns {boolean[][]} */
+  const stale = (text) => {
+    const before = state(NO_PLACING, text, 'EPSG:32632');
+    const positions = page.given_positions.givenPositions(before);
+    const placing = files.reduce((now, { id, name }) => {
+      const key = placingKeyOf(placingKey(before), { film: now.film, positions }, name);
+      return reducePlacing(now, { type: 'placed', image: id, placed: { key, result: null, problem: '' } });
+    }, NO_PLACING);
+    const of = (/** @type {string} */ crs) => placedFiles(state(placing, text, crs)).map((/** @type {{ isStale: boolean }} */ { isStale }) => isStale);
+    return ['EPSG:32632', 'EPSG:32633'].map(of);
+  };
+  assert.deepEqual(stale('image,easting,northing\na.jpg,446833.25,5594521.5\n'), [
+    [false, false],
+    [true, false],
+  ]);
+  // Degrees are those of WGS 84 in any system.
+  assert.deepEqual(stale('image,lon,lat\na.jpg,8.25,50.5\n'), [
+    [false, false],
+    [false, false],
+  ]);
+});
+
 test('marks of film are of the image of their name, which alone is placed anew with others', () => {
   const { NO_PLACING, reducePlacing } = page.placing;
   const { placedFiles, placingKey, placingKeyOf, unplacedFiles } = page.placed;
@@ -311,7 +343,7 @@ test('marks of film are of the image of their name, which alone is placed anew w
   assert.deepEqual([marksOfNone(film, files), marksOfNone(film, files.slice(1))], [[], ['1963_017.csv']]);
   let placing = reducePlacing(NO_PLACING, { type: 'film', film });
   for (const { id, name } of files) {
-    const key = placingKeyOf(placingKey(state(placing)), placing.film, name);
+    const key = placingKeyOf(placingKey(state(placing)), { film: placing.film, positions: new Map() }, name);
     placing = reducePlacing(placing, { type: 'placed', image: id, placed: { key, result: null, problem: '' } });
   }
   const stale = (/** @type {any} */ of) => placedFiles(state(of)).map((/** @type {{ isStale: boolean }} */ { isStale }) => isStale);

@@ -156,6 +156,24 @@ test('a focal length in px needs no mm: it gives those by the pixel size, or the
   assert.match(page.checks.allowedOfFocalPx(10_000_000, by({ focal_mm: 4, pixel_mm: 0.05 })), /100.?000/u);
 });
 
+test('a focal length in px that is taken back takes nothing else along, and typed again it is the same camera', () => {
+  const { withFocalPx, withoutFocalPx } = page.given_camera;
+  const camera = { focal_mm: 4, principal_point_mm: [0.1, 0], pixel_mm: 0.005, radial_distortion: [1e-4, 0, 0] };
+  const without = withoutFocalPx(camera);
+  assert.deepEqual(without, { ...camera, pixel_mm: null });
+  assert.deepEqual(withFocalPx(without, 800), camera);
+  // A camera by it alone is none without it.
+  const alone = withFocalPx(null, 1250);
+  assert.equal(withoutFocalPx(alone), null);
+  assert.deepEqual(withoutFocalPx({ ...alone, radial_distortion: [1e-4, 0, 0] }).radial_distortion, [1e-4, 0, 0]);
+  assert.equal(withoutFocalPx(null), null);
+});
+
+test('the camera of one photo for both has numbers as one would type them', () => {
+  const { camera } = page.given_camera.cameraForBoth(pair([{ ...CAMERA, focal_mm: 153.36000061035156, pixel_mm: 0.03978000068421601 }, null]));
+  assert.deepEqual([camera.focal_mm, camera.pixel_mm], [153.36, 0.03978]);
+});
+
 test('the camera that one photo of two alike names can be taken for both', () => {
   const { cameraForBoth } = page.given_camera;
   const state = pair([CAMERA, null]);

@@ -23,7 +23,7 @@ function answer(...verdicts) {
   const state = { ...BLOCK_INITIAL, files, placing };
   const placed = new Map(
     verdicts.map((verdict, id) => {
-      const key = placingKeyOf(placingKey(state), placing.film, files[id]?.name ?? '');
+      const key = placingKeyOf(placingKey(state), { film: placing.film, positions: new Map() }, files[id]?.name ?? '');
       return [id, { key, result: { verdict, placement: null }, problem: '', found: null, steps: [], done: 0 }];
     }),
   );

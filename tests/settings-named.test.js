@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { before, test } from 'node:test';
-import { block_parameters, block_settings, positions_of_images } from '../pkg/node.js';
+import { block_parameters, block_settings, placing_parameters, positions_of_images } from '../pkg/node.js';
 import { pageModules } from './www.js';
 
 /** @type {Record<string, any>} */
@@ -46,4 +46,15 @@ test('no message of the crate names an option of the command on the page', () =>
     assert.ok(options.length > 5);
     for (const line of options) assert.doesNotMatch(written(line), /--[a-z]/);
   }
+});
+
+test('of settings with the same label the one that a problem names is found, of several the first', () => {
+  const parameters = [...block_parameters(), ...placing_parameters()].map(page.options.optionInLanguage);
+  const named = (/** @type {string} */ text) => page.names.firstNamed(parameters, text)?.key ?? null;
+  const labelled = (/** @type {string} */ label) => parameters.filter((parameter) => parameter.label === label).map(({ key }) => key);
+  assert.deepEqual(labelled('Number of points'), ['multiscale.number', 'placing.points']);
+  for (const key of [...labelled('Number of points'), ...labelled('Seed')]) assert.equal(named(`${key} is 0; allowed: 1 or more`), key);
+  assert.equal(named('heights (--geoid-m) without a coordinate system (--crs)'), 'placing.geoid_m');
+  assert.equal(named('not finished: positions.csv has no \u200f--crs'), 'placing.crs');
+  assert.equal(named('Seed of plane.csv: --json is no setting'), null);
 });

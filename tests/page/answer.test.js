@@ -2,9 +2,10 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { block, status } from './blocks.js';
+import { block, FLIGHT, status } from './blocks.js';
 import { coloured, shareOfOrange } from './colours.js';
 import { choose, done, enabled, hosted, number, open, pair, part, pngs, sample, says, SKIP, until, upload } from './page.js';
+import { barePhotos, blockPhotos } from './rendered.js';
 
 hosted('/answer/');
 
@@ -232,6 +233,16 @@ test('a pair without a camera asks for it, and the next step leads there', { ski
   await part(page, 'camera-focal-px').press('Enter');
   await until(page, 'the focal length in mm follows', async () => (await value('camera-focal')) === '152.52');
   await says(page, 'focal-px-note', /sets that in mm, by the pixel size/);
+  // Taken back it takes the pixel size along, by which it is one, and nothing else.
+  await part(page, 'camera-k1').fill('0.00001');
+  await part(page, 'camera-k1').press('Enter');
+  await part(page, 'camera-focal-px').fill('');
+  await part(page, 'camera-focal-px').press('Enter');
+  await until(page, 'the pixel size is taken back', async () => (await value('camera-pixel')) === '');
+  assert.deepEqual([await value('camera-focal'), await value('camera-k1')], ['152.52', '0.00001']);
+  await part(page, 'camera-focal-px').fill('600');
+  await part(page, 'camera-focal-px').press('Enter');
+  await until(page, 'the pixel size is there again', async () => (await value('camera-pixel')) === '0.2542');
   // Who knows no more than that gives no more.
   await part(page, 'clear-camera').click();
   assert.equal(await value('camera-focal-px'), '');
@@ -242,6 +253,23 @@ test('a pair without a camera asks for it, and the next step leads there', { ski
   await part(page, 'camera-focal-px').press('Enter');
   await says(page, 'camera-source', /^In use: the values below/);
   await says(page, 'interior-left', /The pixel size is used/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('the camera of one photo is taken for both, and the keyboard goes on in its fields', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true });
+  const [named, bare] = [blockPhotos(FLIGHT)[0], barePhotos(FLIGHT, 2)[1]];
+  assert.ok(named && bare);
+  await part(page, 'file-input').setInputFiles([named, bare].map(({ name, bytes }) => upload(name, bytes, 'image/png')));
+  await done(page);
+  await part(page, 'settings').click();
+  await part(page, 'tab-camera').click();
+  await part(page, 'camera-for-both').focus();
+  await page.keyboard.press('Enter');
+  assert.ok(await part(page, 'camera-for-both').isHidden());
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('data-testid')), 'camera-focal-px');
+  for (const id of ['camera-focal', 'camera-pixel']) assert.match(await part(page, id).inputValue(), /^[\d.]{1,9}$/);
   assert.deepEqual(complaints, []);
   await close();
 });

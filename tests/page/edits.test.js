@@ -342,14 +342,20 @@ test('a match is measured by mouse: the second point is expected on the epipolar
   await close();
 });
 
-test('keys act before anything has the keyboard; a match of the list is moved by them, and from a button of the bar', { skip: SKIP }, async () => {
+test('keys that nothing has are left to the browser; a match of the list is moved by keys, and from a button of the bar', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await pair(page);
   const held = () => page.evaluate(() => document.activeElement?.getAttribute('data-testid') ?? document.activeElement?.tagName);
   assert.equal(await held(), 'BODY');
-  await page.keyboard.press('n');
-  await says(page, 'selected', /^Left point \d/);
-  assert.equal(await held(), 'BODY');
+  await page.evaluate(() => {
+    addEventListener('keydown', ({ key, defaultPrevented }) => Object.assign(globalThis, { pressed: [key, defaultPrevented] }));
+  });
+  for (const key of ['ArrowDown', 'n', 'w']) {
+    await page.keyboard.press(key);
+    assert.deepEqual(await page.evaluate(() => Reflect.get(globalThis, 'pressed')), [key, false]);
+  }
+  assert.doesNotMatch((await part(page, 'selected').textContent()) ?? '', /point/);
+  assert.equal(await part(page, 'tool-mask').getAttribute('aria-pressed'), 'false');
   // From the list.
   await part(page, 'tab-matches').click();
   await part(page, 'statistics-row').nth(1).click();
@@ -379,6 +385,19 @@ test('keys act before anything has the keyboard; a match of the list is moved by
   assert.equal(await held(), 'view');
   await page.keyboard.press('Escape');
   await part(page, 'tool-measure').click();
+  assert.equal(await held(), 'view');
+  // Buttons that are pressed no more give the keyboard back.
+  await page.keyboard.press('Enter');
+  await drafted(page);
+  await page.keyboard.press('ArrowRight');
+  await enabled(page, 'draft-accept');
+  await part(page, 'draft-accept').focus();
+  await page.keyboard.press('Enter');
+  await says(page, 'undo', /^Undo: add 1 match$/);
+  assert.equal(await held(), 'view');
+  await part(page, 'draft-cancel').focus();
+  await page.keyboard.press('Enter');
+  assert.ok(await part(page, 'draft').isHidden());
   assert.equal(await held(), 'view');
   assert.deepEqual(complaints, []);
   await close();

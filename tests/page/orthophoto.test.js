@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { BlockScene, grey_png } from '../../pkg/node.js';
+import { BlockScene, grey_png, system_coordinates } from '../../pkg/node.js';
 import { block, FLIGHT, photos, status } from './blocks.js';
 import { georeferenced, inDegrees } from './georeferenced.js';
 import { hosted, part, saved, says, SHOTS, SKIP, upload } from './page.js';
@@ -232,6 +232,17 @@ test('what is no orthophoto and what are no heights of it is said, and what is t
   await part(page, 'block-level').fill('12');
   await part(page, 'block-level').blur();
   await status(page, /^The ground is level at 12\.00 m\./);
+  // The field that holds what is not allowed is what is opened, not one with the same label.
+  const number = page.locator('input[data-key="placing.points"]');
+  await number.fill('-1');
+  await number.blur();
+  await status(page, /^Number of points: this value is not allowed/);
+  await part(page, 'tab-block-settings').click();
+  await part(page, 'block-next').click();
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('data-key')), 'placing.points');
+  await number.fill('5000');
+  await number.blur();
+  await status(page, /^1 image can be placed/);
   await part(page, 'block-orthophoto-remove').click();
   await says(page, 'block-orthophoto-name', /^None\./);
 
@@ -350,6 +361,19 @@ test('images that record positions elsewhere than the orthophoto are doubted bef
   await says(page, 'block-answer', /[Nn]o GNSS position of the 6 images lies within 500 m of the orthophoto/);
   await part(page, 'tab-block-settings').click();
   await part(page, 'block-positions-remove').click();
+  await isSure();
+  // Those of a plane lie where the coordinate system has them.
+  const [east, north] = system_coordinates('EPSG:32632', new Float64Array([longitude, latitude, 0])) ?? [];
+  const plane = blockPhotos(FLIGHT).map(({ name }) => `${name},${east},${north}\n`);
+  await part(page, 'block-positions-input').setInputFiles(upload('plane.csv', text(`image,easting,northing\n${plane.join('')}`)));
+  await says(page, 'block-positions-name', /^plane\.csv/);
+  await isSure();
+  const crs = page.locator('input[data-key="placing.crs"]').first();
+  await crs.fill('EPSG:32633');
+  await crs.blur();
+  await says(page, 'block-answer', /[Nn]o GNSS position of the 6 images lies within 500 m of the orthophoto/);
+  await crs.fill('');
+  await crs.blur();
   await isSure();
   assert.deepEqual(complaints, []);
   await close();

@@ -44,6 +44,7 @@ import { mountResults } from './panel/results';
 import { mountSettings } from './panel/settings';
 import { mountStage } from './panel/stage';
 import type { Choice } from './state/selection';
+import { givenPositions } from './state/given-positions';
 import { BLOCK_INITIAL, isBusy } from './state/state';
 import type { BlockCatalogue } from './state/state';
 import { mountBlockStatus } from './panel/status';
@@ -193,7 +194,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   main.append(near.element);
   store.watch(['notice'], ([notice]) => near.show(notice));
   store.watch(
-    ({ files: given, placing: { orthophoto, options }, options: { positions } }) => [given, orthophoto?.raster ?? null, options, positions] as const,
+    (s) => [s.files, s.placing.orthophoto?.raster ?? null, s.placing.options, givenPositions(s)] as const,
     () => void placing.lookElsewhere(),
   );
   new EditFollower(store, engine);

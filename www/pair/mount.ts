@@ -149,7 +149,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
     navigator.followDraft();
     view.takeKeys();
   };
-  mountDraft(byId('toolbar'), store, editing, () => navigator.followDraft(), measured);
+  mountDraft(byId('toolbar'), store, editing, { follow: () => navigator.followDraft(), begun: measured, ended: () => view.takeKeys() });
   mountMasking(byId('view-more'), byId('toolbar'), store, masking, paint);
   mountMarking(byId('toolbar'), store, marking);
   await breath();

@@ -75,23 +75,18 @@ export class PlacingEngine {
 
   /** Looks whether images record positions elsewhere than the orthophoto, before anything is matched. */
   async lookElsewhere(): Promise<void> {
-    const { files, placing, options: run } = this.store.state;
+    const { files, placing } = this.store.state;
     const { orthophoto, options } = placing;
     const { ground } = this;
+    const given = givenPositions(this.store.state);
     let doubt: Remark | null = null;
     // One that was made of a block lies where that does, and of one in no known system nothing can be said.
     if (orthophoto?.ofBlock === null && orthophoto.info.on_earth && ground !== null && options !== null) {
       // What is given meanwhile is looked at by itself.
       const areWanted = () => {
         const now = this.store.state;
-        return (
-          now.files === files &&
-          now.placing.orthophoto?.raster === orthophoto.raster &&
-          now.placing.options === options &&
-          now.options.positions === run.positions
-        );
+        return now.files === files && now.placing.orthophoto?.raster === orthophoto.raster && now.placing.options === options && givenPositions(now) === given;
       };
-      const given = givenPositions(this.store.state);
       const recorded = await this.recorded.of(
         files.filter(({ name }) => !given.has(name)),
         areWanted,
@@ -142,7 +137,11 @@ export class PlacingEngine {
         const former = this.store.state.placing.placed.get(id);
         const steps = (former?.steps.slice(0, former.done) ?? []).filter(({ kind }) => kind === 'add');
         const result = steps.length === 0 ? found : await this.adjust(file, found, steps).catch(() => found);
-        this.store.dispatch({ type: 'placed', image: id, placed: { key: placingKeyOf(key, film, name), result, problem, found, steps, done: steps.length } });
+        this.store.dispatch({
+          type: 'placed',
+          image: id,
+          placed: { key: placingKeyOf(key, { film, positions }, name), result, problem, found, steps, done: steps.length },
+        });
         tell(waiting[0] === undefined ? say('placing-2') : say('placing', { name: waiting[0].name }));
       }
     };

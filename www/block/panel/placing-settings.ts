@@ -71,7 +71,7 @@ export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files
         if (options !== null) store.dispatch({ type: 'placingOptions', options: withSetting({ placing: options }, key, value).placing });
       },
       defaults: () => ({ placing: catalogue.placing }),
-      refused: (label) => store.dispatch({ type: 'refused', label }),
+      refused: (parameter) => store.dispatch({ type: 'refused', parameter }),
     });
     fill(host, given, filmFields(store, engine), ...sections.elements);
     store.watch(

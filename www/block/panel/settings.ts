@@ -1,5 +1,6 @@
 /** What the user chooses of a run: pairs, points, recorded positions, cameras. */
 import { acting_block_parameters } from '../../shared/crate';
+import type { Parameter } from '../../shared/crate';
 import { button, fill, h } from '../../shared/panel/dom';
 import { fileButton } from '../../shared/panel/picker';
 import type { Picked } from '../../shared/panel/picker';
@@ -26,7 +27,7 @@ export function mountSettings(host: HTMLElement, store: BlockStore, files: Block
         if (settings !== null) store.dispatch({ type: 'options', options: { settings: withSetting(settings, key, value) } });
       },
       defaults: () => defaults,
-      refused: (label: string) => store.dispatch({ type: 'refused', label }),
+      refused: (parameter: Parameter) => store.dispatch({ type: 'refused', parameter }),
     };
     const sections = makeFolded(catalogue.parameters, bound, {
       title: say('method'),

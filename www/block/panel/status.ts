@@ -1,9 +1,10 @@
 /** The answer of a block: what came of it; while there is none what runs, how far it is, what went wrong, and what to do. */
+import type { Parameter } from '../../shared/crate';
 import { button, h } from '../../shared/panel/dom';
 import { answerCard } from '../../shared/panel/answer';
 import type { Answer, Figure, Next } from '../../shared/panel/answer';
 import { count, sentence } from '../../shared/text/format';
-import { readable } from '../../shared/text/names';
+import { firstNamed, readable } from '../../shared/text/names';
 import type { Labels } from '../../shared/text/names';
 import type { BlockStore } from '../engine/engine';
 import { heightsText, placingAnswer, placingRuns } from './placing-answer';
@@ -62,7 +63,7 @@ export function mountBlockStatus(store: BlockStore, actions: BlockAnswerActions,
     (s) => [s] as const,
     ([state]) => {
       const { catalogue } = state;
-      const answer = offeringSetting(readableAnswer(doubted(answerOf(state, actions), doubtOf(state)), catalogue?.labels ?? null), catalogue, actions);
+      const answer = readableAnswer(doubted(offeringSetting(answerOf(state, actions), catalogue, actions), doubtOf(state)), catalogue?.labels ?? null);
       // Each image and pair would be read out.
       line.setAttribute('aria-live', answer.kind === 'busy' ? 'off' : 'polite');
       show(answer);
@@ -87,10 +88,14 @@ function readableAnswer({ text, more, said, problem, ...answer }: Answer, labels
 }
 
 /** Of a problem that names a setting: its field is what comes next. */
-function offeringSetting(answer: Answer, catalogue: BlockCatalogue | null, { openSetting }: BlockAnswerActions): Answer {
-  if (answer.kind !== 'problem' || answer.next != null) return answer;
-  const named = catalogue?.parameters.find(({ label }) => answer.text.includes(`“${label}”`));
-  return named === undefined ? answer : { ...answer, next: { text: say('open-the-setting', { label: named.label }), act: () => openSetting(named.key) } };
+function offeringSetting(answer: Answer, catalogue: BlockCatalogue | null, actions: BlockAnswerActions): Answer {
+  if (answer.kind !== 'problem' || answer.next != null || catalogue === null) return answer;
+  const named = firstNamed([...catalogue.parameters, ...catalogue.placingParameters], answer.text);
+  return named === null ? answer : { ...answer, next: openField(named, actions) };
+}
+
+function openField({ key, label }: Parameter, { openSetting }: BlockAnswerActions): Next {
+  return { text: say('open-the-setting', { label }), act: () => openSetting(key) };
 }
 
 function doubted(answer: Answer, doubt: string): Answer {
@@ -182,7 +187,7 @@ function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
     const { next = null, others = [] } = placed(state, actions);
     return { ...said, next, others };
   }
-  if (state.refused !== null) return line('problem', refusedText(state.refused));
+  if (state.refused !== null) return { ...line('problem', refusedText(state.refused.label)), next: openField(state.refused, actions) };
   if (asksPurpose(state) && state.placing.orthophoto !== null)
     return offering(state, actions, besideVerdict(state, actions, orthophotoText(state.placing.orthophoto)));
   if (isOfGround(state)) return placed(state, actions);

@@ -1,26 +1,36 @@
 /** What came of images on an orthophoto, beside what would come of them now. */
 import { remember } from '../../shared/state/remember';
+import type { GivenPosition } from '../../../pkg/wasm/tiepoint.js';
 import { filmOf } from './film';
 import type { GivenFilm } from './film';
+import { givenPositions } from './given-positions';
 import type { Placed } from './placing';
 import type { BlockFile, BlockState } from './state';
+
+type Placing = Pick<BlockState, 'placing' | 'options' | 'files'>;
 
 /** Names what placing images now would be made from, whatever is known of each. */
 export function placingKey({
   placing: { orthophoto, heights, options },
-  options: { cameras, positions },
+  options: { cameras },
 }: {
   placing: BlockState['placing'];
-  options: Pick<BlockState['options'], 'cameras' | 'positions'>;
+  options: Pick<BlockState['options'], 'cameras'>;
 }): string {
   const ground = heights.kind === 'level' ? heights.height : `file ${String(heights.model.id)}`;
-  return JSON.stringify([orthophoto?.raster.id ?? null, ground, options, cameras, ...(positions === null ? [] : [positions])]);
+  return JSON.stringify([orthophoto?.raster.id ?? null, ground, options, cameras]);
 }
 
-/** The same of one image, by its name: of a scan of film its camera and marks, too. */
-export function placingKeyOf(key: string, film: GivenFilm, image: string): string {
-  const own = filmOf(film, image);
-  return own === null ? key : JSON.stringify([key, own]);
+/** What is given of single images, by their names. */
+export interface GivenOfImages {
+  film: GivenFilm;
+  positions: ReadonlyMap<string, GivenPosition>;
+}
+
+/** The same of one image, by its name: with the position that a table has of it and, of a scan of film, its camera and marks. */
+export function placingKeyOf(key: string, { film, positions }: GivenOfImages, image: string): string {
+  const own = [filmOf(film, image), positions.get(image) ?? null];
+  return own.every((given) => given === null) ? key : JSON.stringify([key, ...own]);
 }
 
 /** An image with what came of it. */
@@ -31,19 +41,21 @@ export interface PlacedFile extends Placed {
 }
 
 /** The images that were tried, in their order; the same list while nothing of it has changed. */
-export function placedFiles(state: Pick<BlockState, 'placing' | 'options' | 'files'>): readonly PlacedFile[] {
-  return listed(state.files, state.placing.placed, placingKey(state), state.placing.film);
+export function placedFiles(state: Placing): readonly PlacedFile[] {
+  return listed(state.files, state.placing.placed, placingKey(state), state.placing.film, givenPositions(state));
 }
 
-const listed = remember((files: readonly BlockFile[], all: ReadonlyMap<number, Placed>, key: string, film: GivenFilm): readonly PlacedFile[] =>
-  files.flatMap((file): PlacedFile[] => {
-    const placed = all.get(file.id);
-    return placed === undefined ? [] : [{ ...placed, file, isStale: placed.key !== placingKeyOf(key, film, file.name) }];
-  }),
+const listed = remember(
+  (files: readonly BlockFile[], all: ReadonlyMap<number, Placed>, key: string, film: GivenFilm, positions: GivenOfImages['positions']): readonly PlacedFile[] =>
+    files.flatMap((file): PlacedFile[] => {
+      const placed = all.get(file.id);
+      return placed === undefined ? [] : [{ ...placed, file, isStale: placed.key !== placingKeyOf(key, { film, positions }, file.name) }];
+    }),
 );
 
 /** The images that are not placed yet, or by other settings. */
-export function unplacedFiles(state: Pick<BlockState, 'placing' | 'options' | 'files'>): readonly BlockFile[] {
+export function unplacedFiles(state: Placing): readonly BlockFile[] {
   const key = placingKey(state);
-  return state.files.filter(({ id, name }) => state.placing.placed.get(id)?.key !== placingKeyOf(key, state.placing.film, name));
+  const given = { film: state.placing.film, positions: givenPositions(state) };
+  return state.files.filter(({ id, name }) => state.placing.placed.get(id)?.key !== placingKeyOf(key, given, name));
 }

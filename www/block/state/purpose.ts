@@ -41,7 +41,7 @@ export function asksPurpose(state: Given): boolean {
 
 /** Names what placing the block now would be made from; its cameras are its own. */
 export function groundKey({ placing }: Pick<BlockState, 'placing'>): string {
-  return placingKey({ placing, options: { cameras: null, positions: null } });
+  return placingKey({ placing, options: { cameras: null } });
 }
 
 /** Whether the block is to be placed on the orthophoto and is not, or by other settings or heights. */

@@ -1,6 +1,6 @@
 /** How the state of the block changes. Pure: the same state and action give the same state. */
 import type { Step } from '../../../pkg/block/index.js';
-import type { BlockEdit, BlockFlight, BlockModel, PlaceAgain } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, BlockFlight, BlockModel, Parameter, PlaceAgain } from '../../../pkg/wasm/tiepoint.js';
 import { NO_HISTORY } from '../../shared/state/history';
 import type { Notice } from '../../shared/state/notice';
 import type { BlockCatalogue, BlockFile, BlockOptions, BlockState, Shown, ViewName } from './state';
@@ -25,7 +25,7 @@ export type BlockAction =
   | { type: 'files'; files: readonly BlockFile[]; truth: BlockModel | null }
   | { type: 'options'; options: Partial<BlockOptions> }
   /** The field of a setting holds a value that is not allowed. */
-  | { type: 'refused'; label: string }
+  | { type: 'refused'; parameter: Parameter }
   | { type: 'flight'; flight: BlockFlight }
   | { type: 'started'; key: string }
   | { type: 'step'; step: Step }
@@ -89,7 +89,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
         refused: action.options.settings === undefined ? state.refused : null,
       };
     case 'refused':
-      return { ...state, refused: action.label, notice: state.notice?.kind === 'busy' ? state.notice : null };
+      return { ...state, refused: action.parameter, notice: state.notice?.kind === 'busy' ? state.notice : null };
     case 'flight':
       return { ...state, flight: action.flight };
     case 'choose':
@@ -137,7 +137,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
       if (placing === state.placing) return state;
       // What was said is of what was set before.
       const isSet = (action.type === 'placingOptions' || action.type === 'purpose') && state.notice?.kind !== 'busy';
-      return { ...state, placing, notice: isSet ? null : state.notice };
+      return { ...state, placing, notice: isSet ? null : state.notice, refused: action.type === 'placingOptions' ? null : state.refused };
     }
     case 'openedPair':
       return { ...state, opened: action.images };

@@ -90,8 +90,8 @@ export interface BlockState extends Edits {
   /** Of photos that were simulated. */
   truth: BlockModel | null;
   options: BlockOptions;
-  /** The label of a setting whose field holds a value that is not allowed; the options hold its last valid one. */
-  refused: string | null;
+  /** A setting whose field holds a value that is not allowed; the options hold its last valid one. */
+  refused: Parameter | null;
   flight: BlockFlight | null;
   running: Running;
   /** The block on the screen. */

@@ -6,7 +6,7 @@ import { pairCameras } from '../state/cameras';
 import { comparesGradients, isCurrent } from '../state/keys';
 import { focalOf } from '../state/focal';
 import type { FocalLength } from '../state/focal';
-import { cameraForBoth, focalPxOf, withFocalPx } from '../state/given-camera';
+import { cameraForBoth, focalPxOf, withFocalPx, withoutFocalPx } from '../state/given-camera';
 import { interiorInUse } from '../state/interior';
 import { wholeMarks } from '../state/marks';
 import { SIDES } from '../state/state';
@@ -15,6 +15,7 @@ import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
 import { significant } from '../../shared/text/format';
 import { firstRefused, numberField, problemLine, readNumber, readPair, showNumber } from '../../shared/panel/numberfield';
+import type { NumberField } from '../../shared/panel/numberfield';
 import { say } from '../../shared/text/words';
 import { message } from '../../shared/text/messages';
 
@@ -49,13 +50,13 @@ export function cameraOf(numbers: readonly (number | undefined)[], last: CameraM
 }
 
 /** The focal length in px: another way to say what stands in mm, with what it changes. */
-function focalPxField(store: Store): { element: HTMLElement; note: HTMLElement } {
+function focalPxField(store: Store): NumberField & { note: HTMLElement } {
   const label = say('focal-length');
   const change = () => {
     const last = store.state.camera;
     const before = (last === null ? null : focalPxOf(last)) ?? undefined;
     const px = readNumber(field, (value) => allowedOfFocalPx(value, (given) => withFocalPx(last, given)), before);
-    if (px !== before) store.dispatch({ type: 'camera', camera: px === undefined ? null : withFocalPx(last, px) });
+    if (px !== before) store.dispatch({ type: 'camera', camera: px === undefined ? withoutFocalPx(last) : withFocalPx(last, px) });
     store.dispatch({ type: 'refused', part: 'camera', label: firstRefused([[label, field.input]]) });
   };
   const field = numberField(label, 'px', 'camera-focal-px', change);
@@ -70,14 +71,16 @@ function focalPxField(store: Store): { element: HTMLElement; note: HTMLElement }
       note.textContent = say('focal-length-in-px-sets', { what: areScans ? 'scans' : camera !== null && camera.pixel_mm == null ? 'pixel' : 'focal' });
     },
   );
-  return { element: field.element, note };
+  return { ...field, note };
 }
 
-/** What takes the camera that the file of one photo names for the other one too. */
-function sharedCamera(store: Store): HTMLElement {
+/** What takes the camera that the file of one photo names for the other one too: the keyboard goes on in the fields that then show it. */
+function sharedCamera(store: Store, fields: readonly NumberField[]): HTMLElement {
   const use = button('', 'camera-for-both', () => {
     const shared = cameraForBoth(store.state);
-    if (shared !== null) store.dispatch({ type: 'camera', camera: shared.camera });
+    if (shared === null) return;
+    store.dispatch({ type: 'camera', camera: shared.camera });
+    fields.find(({ input }) => !input.disabled)?.input.focus();
   });
   const group = h('div', { class: 'buttons' }, use);
   store.watch(
@@ -123,7 +126,7 @@ export function mountCamera(host: HTMLElement, store: Store, loadFile: () => voi
       h('legend', {}, say('camera')),
       source,
       calibrationGroup(store),
-      sharedCamera(store),
+      sharedCamera(store, [inPixels, ...fields]),
       h('div', { class: 'pairs' }, inPixels.element, ...fields.map(({ element }) => element)),
       inPixels.note,
       h('div', { class: 'buttons' }, load, clear),

@@ -1,6 +1,6 @@
 /** The settings of the run: a control for each, in the order of the pipeline; those without effect under the others are hidden. */
 import { acting_parameters, resolved } from '../../shared/crate';
-import type { Catalogue, Settings } from '../../shared/crate';
+import type { Catalogue, Parameter, Settings } from '../../shared/crate';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import type { Value } from '../../shared/panel/control';
@@ -23,7 +23,7 @@ export function mountControls(host: HTMLElement, store: Store, opener: HTMLEleme
       change: (key: string, value: Value) => change(store, key, value),
       defaults: () => standardOf(store.state, catalogue),
       resolved: () => acts,
-      refused: (label: string) => store.dispatch({ type: 'refused', part: 'settings', label }),
+      refused: ({ label }: Parameter) => store.dispatch({ type: 'refused', part: 'settings', label }),
     };
     const { elements, show: showValues } = makeFolded(catalogue.parameters, bound, {
       title: say('method'),

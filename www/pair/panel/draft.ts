@@ -8,8 +8,18 @@ import type { Side, State } from '../state/state';
 import type { Store } from '../state/store';
 import { say } from '../../shared/text/words';
 
-/** In the bar above the pictures. `follow` shows the points that are measured; `begun` is called where a measurement was begun, or given up, by its button. */
-export function mountDraft(host: HTMLElement, store: Store, editing: Editing, follow: () => void, begun: () => void): void {
+/** What else its buttons do. */
+export interface Drafting {
+  /** Shows the points that are measured. */
+  follow: () => void;
+  /** A measurement was begun, or given up, by its button. */
+  begun: () => void;
+  /** One was ended by a button that is pressed no more: the keyboard goes on in the pictures. */
+  ended: () => void;
+}
+
+/** In the bar above the pictures. */
+export function mountDraft(host: HTMLElement, store: Store, editing: Editing, { follow, begun, ended }: Drafting): void {
   const tool = button(
     say('add-match'),
     'tool-measure',
@@ -20,7 +30,15 @@ export function mountDraft(host: HTMLElement, store: Store, editing: Editing, fo
     say('measure-a-match-by-hand'),
   );
   const text = h('span', { testid: 'draft-text', role: 'status' });
-  const accept = button(say('accept'), 'draft-accept', () => editing.accept(), say('the-match-is-measured-enter'));
+  const accept = button(
+    say('accept'),
+    'draft-accept',
+    () => {
+      editing.accept();
+      ended();
+    },
+    say('the-match-is-measured-enter'),
+  );
   const fit = button(say('fit'), 'draft-fit', () => void editing.fit(), say('move-the-right-point-to'));
   const exchange = button(
     say('other-image'),
@@ -31,7 +49,15 @@ export function mountDraft(host: HTMLElement, store: Store, editing: Editing, fo
     },
     say('go-on-with-the-point'),
   );
-  const cancel = button(say('cancel'), 'draft-cancel', () => editing.leave(), say('give-this-match-up-escape'));
+  const cancel = button(
+    say('cancel'),
+    'draft-cancel',
+    () => {
+      editing.leave();
+      ended();
+    },
+    say('give-this-match-up-escape'),
+  );
   const bar = h(
     'div',
     { class: 'drafting', testid: 'draft', role: 'group', aria: { label: say('match-measured-by-hand') } },

@@ -21,7 +21,8 @@ export function savable(state: State): Record<(typeof EXPORTS)[number], boolean>
     project: rests && isCurrent(state, 'match'),
     // It is of edited matches where there are edits.
     report: rests && areThere && (!isEdited(state) || isCurrent(state, 'match')),
-    epipolar: rests && areThere && orientation !== null,
+    // They are made of the project, which has the orientation where both are up to date.
+    epipolar: rests && areThere && orientation !== null && isCurrent(state, 'match') && isCurrent(state, 'orientation'),
     png: images.left !== null || images.right !== null,
   };
 }

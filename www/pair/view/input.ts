@@ -66,7 +66,6 @@ export function mountInput(view: View, store: Store, navigator: Navigator, { edi
       // The bar of the view belongs to it: after a press there the keys go on.
     },
     host.closest<HTMLElement>('.stage') ?? host,
-    () => store.state.images.left !== null || store.state.images.right !== null,
   );
 }
 

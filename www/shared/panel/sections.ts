@@ -19,8 +19,8 @@ export interface Bound {
   defaults: () => object;
   /** The settings as they act, where absent ones follow from others. */
   resolved?: () => object;
-  /** Told the label of a field that holds a value which is not allowed and not used. */
-  refused?: (label: string) => void;
+  /** Told of which parameter a field holds a value that is not allowed and not used. */
+  refused?: (parameter: Parameter) => void;
 }
 
 export interface Sections {
@@ -127,7 +127,7 @@ function controlOf(parameter: Parameter, { change, defaults, resolved, refused }
     set: (value) => change(parameter.key, value),
     standard: () => readSetting(defaults(), parameter.key),
     whenEmpty: () => (resolved === undefined ? null : readSetting(resolved(), parameter.key)),
-    refused: () => refused?.(parameter.label),
+    refused: () => refused?.(parameter),
   });
 }
 

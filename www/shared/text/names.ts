@@ -1,6 +1,6 @@
 /** Messages of the crate as the page writes them: parameters by their labels, also where a message names the option of the command, a multiplication sign between the sides of an image. */
 import { optionName } from '../../../pkg/block/option-name.js';
-import type { Catalogue } from '../crate';
+import type { Catalogue, Parameter } from '../crate';
 import { say } from './words';
 
 /** What is no parameter of the crate's catalogue, but named in its messages. */
@@ -22,6 +22,9 @@ const IN_BRACKETS = /\(([^()]*--[a-z][^()]*)\)/gu;
 
 /** An option, in a sentence from right to left with a mark of direction before it. */
 const OPTION = /`?\u200f?--([a-z]+(?:-[a-z]+)*)`?/gu;
+
+/** A key or an option. */
+const NAME = /--[a-z]+(?:-[a-z]+)*|[a-z_]+\.[a-z0-9_]+/gu;
 
 /** Parameters by whose labels their keys are replaced. */
 export type Labels = Pick<Catalogue, 'parameters' | 'flightParameters'>;
@@ -50,6 +53,16 @@ function withSettings(catalogue: Labels | null, message: string): string {
     return settings === inner ? brackets : `(${say('named-settings', { settings })})`;
   };
   return labelled(message.replace(IN_BRACKETS, inBrackets));
+}
+
+/** The first of some parameters that a message names, by its key or its option, which say more than a label: several have the same. Null where it names none. */
+export function firstNamed(parameters: readonly Parameter[], message: string): Parameter | null {
+  const named = new Map(parameters.flatMap((parameter) => [parameter.key, `--${optionName(parameter)}`].map((name) => [name, parameter])));
+  for (const [name] of message.matchAll(NAME)) {
+    const parameter = named.get(name);
+    if (parameter !== undefined) return parameter;
+  }
+  return null;
 }
 
 function quoted(label: string | undefined): string | undefined {

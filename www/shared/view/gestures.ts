@@ -70,12 +70,9 @@ interface Press {
   startY: number;
 }
 
-/**
- * Listens on a host, and for keys on it or on a larger element that belongs to it. `takesAll`: whether it has the keys that nothing has, as while
- * nothing was pressed yet on a page that has loaded.
- */
-export function listen<T>(host: HTMLElement, movable: Movable<T>, keyHost: HTMLElement = host, takesAll: () => boolean = () => false): void {
-  new Gestures(host, movable, keyHost, takesAll);
+/** Listens on a host, and for keys on it or on a larger element that belongs to it: keys that nothing has are the browser's, as arrows that scroll the page. */
+export function listen<T>(host: HTMLElement, movable: Movable<T>, keyHost: HTMLElement = host): void {
+  new Gestures(host, movable, keyHost);
 }
 
 /** Listens for the keys of commands where there are no gestures. */
@@ -99,7 +96,6 @@ class Gestures<T> {
     private readonly host: HTMLElement,
     private readonly movable: Movable<T>,
     keyHost: HTMLElement,
-    takesAll: () => boolean,
   ) {
     host.addEventListener('pointerdown', (event) => this.down(event));
     host.addEventListener('pointermove', (event) => this.move(event));
@@ -108,10 +104,6 @@ class Gestures<T> {
     host.addEventListener('pointerleave', () => movable.pointed(null, false));
     host.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     keyHost.addEventListener('keydown', (event) => this.key(event));
-    document.addEventListener('keydown', (event) => {
-      const isFree = event.target === document.body && !event.defaultPrevented && document.querySelector('dialog[open]') === null;
-      if (isFree && host.offsetParent !== null && takesAll()) this.key(event);
-    });
   }
 
   private place(event: MouseEvent): [number, number] {
