@@ -340,7 +340,6 @@ impl<'a> Layout<'a> {
     /// The columns of a table by the line that names them, or by their order.
     pub fn of(records: &'a Records) -> Result<Self, Error> {
         SystemLine::refuse_in(records)?;
-        records.check_thousands()?;
         let needed = |names: &StringRecord| {
             let meanings = meanings(names);
             let [name, x, y, z] = NEEDED.map(|(column, _)| place(names, &meanings, column));
@@ -350,6 +349,7 @@ impl<'a> Layout<'a> {
         let Headed { names, rows, misplaced } = records.headed(needed, &units())?;
         if let Some(names) = names {
             let columns = Columns::named_by(&names, needed(&names), rows)?;
+            columns.numbers().check_thousands(records, rows)?;
             columns.numbers().check(records, rows)?;
             return Ok(Self { columns, names: Some(names), rows });
         }
@@ -359,6 +359,7 @@ impl<'a> Layout<'a> {
         let is_in_order = misplaced.is_none() && first().is_none_or(|first| (1..4).all(|column| has_number(first, column)));
         if is_in_order {
             let columns = Columns { standard_errors: errors_in_order(records)?, ..Columns::default() };
+            columns.numbers().check_thousands(records, rows)?;
             return Ok(Self { columns, names: None, rows });
         }
         let shown = misplaced.as_ref().or_else(|| records.likely_head(needed));

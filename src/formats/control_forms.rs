@@ -359,3 +359,18 @@ fn units_that_are_not_known_thousands_and_tables_of_opendronemap_are_refused_for
     // One comma that can only be decimal says it of all.
     assert_eq!(first("name;x;y;z\nP1;446,833;594,521;0,240\n").1, [446.833, 594.521, 0.24]);
 }
+
+#[test]
+fn commas_of_codes_and_notes_say_nothing_of_those_of_coordinates() {
+    let coded = "name\tx\ty\tz\tcode\nP1\t446833.25\t5594521.5\t124.5\t12,345\n";
+    assert_eq!(first(coded).1, [446_833.25, 5_594_521.5, 124.5]);
+    let noted = "name\tx\ty\tz\tnote\nP1\t446,833\t594,521\t124\t1,5\n";
+    assert!(message(noted).contains("whether commas"), "{}", message(noted));
+    // A point elsewhere is rather one behind thousands.
+    assert!(message("name\tx\ty\tz\nP1\t446,833\t594,521\t124.5\n").contains("whether commas"));
+    // A standard error tells it.
+    let stated = "name\tx\ty\tz\tsigma_xy\tsigma_z\nP1\t446,833\t594,521\t124\t0,02\t0,03\n";
+    assert_eq!(first(stated).1, [446.833, 594.521, 124.0]);
+    let noted = "image\tx\ty\tnote\na.jpg\t446,833\t594,521\t1,5\n";
+    assert!(parse_image_positions(noted).unwrap_err().to_string().contains("whether commas"));
+}

@@ -107,7 +107,6 @@ struct Table {
 impl Table {
     fn read(text: &str) -> Result<Self, Error> {
         let mut records = records(Input::PositionTable, text)?;
-        records.check_thousands()?;
         let system = SystemLine::of(&records);
         if system.is_some() {
             records.rows.remove(0);
@@ -122,10 +121,13 @@ impl Table {
             check_in_order(&records)?;
             // Places in a system that is named have east first, also in degrees.
             let coordinates = system.as_ref().map(|_| Coordinates::Either);
-            return Ok(Self { columns: PositionColumns::in_order(&records, coordinates), records, head: None, above, system });
+            let columns = PositionColumns::in_order(&records, coordinates);
+            columns.numbers().check_thousands(&records, rows)?;
+            return Ok(Self { columns, records, head: None, above, system });
         }
         let shown = names.or(misplaced).or_else(|| records.likely_head(PositionColumns::needed).cloned()).unwrap_or_default();
         let columns = PositionColumns::named_by(&records, &shown)?;
+        columns.numbers().check_thousands(&records, rows)?;
         columns.numbers().check(&records, rows)?;
         Ok(Self { columns, records, head: Some(shown), above, system })
     }

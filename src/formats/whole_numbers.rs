@@ -20,6 +20,15 @@ pub(super) struct NumberColumns {
 }
 
 impl NumberColumns {
+    /// Refuses numbers of these columns whose commas may stand before thousands.
+    ///
+    /// # Errors
+    /// As [`Records::check_thousands`].
+    pub fn check_thousands(&self, records: &Records, rows: &[NumberedRecord]) -> Result<(), Error> {
+        let columns: Vec<usize> = self.read.iter().copied().chain(self.errors.iter().map(|(column, _)| *column)).collect();
+        records.check_thousands(rows, &columns)
+    }
+
     /// Refuses a table between commas none of whose numbers has a point, where a row of it has more of them than are read, as `8,25,50,5,171,5` has below
     /// `lon,lat,alt,yaw,pitch,roll`; one that begins with a zero, as `069`; or a standard error of 10 m or more.
     ///
