@@ -866,6 +866,12 @@ remark-unknown-position-columns =
         [0] {""}
        *[other] {" "}و{ $columns_more } أخرى
     }
+remark-position-heights =
+    العمود '{ $column }' في جدول مواضع الصور غير مفهوم، ولا تُقرأ الارتفاعات { $positions ->
+        [one] لموضع واحد
+        [two] لموضعين
+       *[other] لعدد من المواضع هو { $positions }
+    }
 remark-doubled-position-columns =
     أعمدة في جدول مواضع الصور تعطي ما يعطيه عمود آخر (بين قوسين) ولا تُقرأ: { $columns }{ $columns_more ->
         [0] {""}
@@ -1159,7 +1165,11 @@ refusal-control-numbers = جدول نقاط الضبط: أُعطي { $numbers } 
 refusal-decimal-commas = { $input }: أُعطي '{ $record }' في السطر { $line }، وفواصله تفصل الأعمدة وقد تكون فواصل عشرية؛ المسموح: نقاط عشرية، أو أعمدة بين فواصل منقوطة أو علامات جدولة أو مسافات
 refusal-thousands = { $input }: أُعطي '{ $word }' في { $column } في السطر { $line }، ويبدو أن فيه علامات قبل الآلاف؛ المسموح: أعداد بلا هذه العلامات
 refusal-thousands-commas = { $input }: أُعطي '{ $record }' في السطر { $line }، ولا يبيّن أي عدد في الجدول هل الفواصل فواصل آلاف أم فواصل عشرية؛ المسموح: نقاط عشرية بلا علامات قبل الآلاف
-refusal-column-unit = { $input }: أُعطي العمود '{ $column }' بوحدة غير معروفة؛ المسموح: الدرجات أو { $units }
+refusal-column-unit =
+    { $input }: أُعطي العمود '{ $column }' بوحدة غير معروفة؛ المسموح: { $degrees ->
+        [true] الدرجات أو { $units }
+       *[false] { $units }
+    }
 refusal-system-line = { $input }: أُعطي السطر الأول '{ $words }' كما تبدأ جداول OpenDroneMap؛ المسموح: أسطر من name وx وy وz للنقاط في جدول، ومن image وpoint وx وy لقياساتها في جدول آخر، ونظام الإحداثيات وحده (--crs)
 refusal-control-number = جدول نقاط الضبط: أُعطي '{ $word }' في { $column } في السطر { $line }؛ المسموح: أسطر من name وx وy وz، وقد يليها الخطآن المعياريان كلاهما، للموضع وللارتفاع
 refusal-control-name = جدول نقاط الضبط: الاسم '{ $name }' في السطر { $line } فارغ أو مكرر؛ المسموح: أسطر من name وx وy وz، وقد يليها الخطآن المعياريان كلاهما، للموضع وللارتفاع

@@ -398,7 +398,11 @@ refusal-control-numbers = the table of control points: got { $numbers } numbers 
 refusal-decimal-commas = { $input }: got '{ $record }' in line { $line }, whose commas separate columns, and may be meant as decimal commas; allowed: decimal points, or columns between semicolons, tabs or blanks
 refusal-thousands = { $input }: got '{ $word }' for { $column } in line { $line }, which seems to have signs before its thousands; allowed: numbers without them
 refusal-thousands-commas = { $input }: got '{ $record }' in line { $line }, where no number of the table says whether commas stand before thousands or are decimal commas; allowed: decimal points, and no signs before thousands
-refusal-column-unit = { $input }: got the column '{ $column }', in a unit that is not known; allowed: degrees or { $units }
+refusal-column-unit =
+    { $input }: got the column '{ $column }', in a unit that is not known; allowed: { $degrees ->
+        [true] degrees or { $units }
+       *[false] { $units }
+    }
 refusal-system-line = { $input }: got the first line '{ $words }', as tables of OpenDroneMap begin; allowed: lines of name, x, y, z of points in one table and of image, point, x, y of their measurements in another, and the coordinate system by itself (--crs)
 refusal-control-number = the table of control points: got '{ $word }' for { $column } in line { $line }; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-control-name = the table of control points: got the name '{ $name }' in line { $line }, which is empty or comes twice; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
@@ -1350,6 +1354,11 @@ remark-unknown-position-columns =
     columns of the table of image positions are not understood and not read: { $columns }{ $columns_more ->
         [0] {""}
        *[other] {" "}and { $columns_more } more
+    }
+remark-position-heights =
+    the column '{ $column }' of the table of image positions is not understood, and heights are not read for { $positions ->
+        [one] 1 position
+       *[other] { $positions } positions
     }
 remark-doubled-position-columns =
     columns of the table of image positions give what another column gives (in brackets) and are not read: { $columns }{ $columns_more ->

@@ -161,7 +161,7 @@ messages! {
         DecimalCommas { input: Input, record: String, line: usize },
         Thousands { input: Input, word: String, column: String, line: usize },
         ThousandsCommas { input: Input, record: String, line: usize },
-        ColumnUnit { input: Input, column: String, units: String },
+        ColumnUnit { input: Input, column: String, units: String, degrees: bool },
         SystemLine { input: Input, words: String },
         ControlNumber { word: String, column: String, line: usize },
         ControlName { name: String, line: usize },

@@ -1,7 +1,8 @@
 //! Reading surveyed points: control and check points of a block.
 
+use super::column_units::{Unit, named};
 use super::columns::UnreadColumns;
-use super::control_columns::{Columns, Layout, Unit, meanings, named};
+use super::control_columns::{Columns, Layout, meanings};
 use super::error_columns::ErrorColumns;
 use crate::error::refuse;
 use crate::text::{Records, Row, records, shorten, table};

@@ -1,6 +1,7 @@
 //! What the columns of a table of control points hold, by their names or by their order.
 
-use super::columns::{LENGTHS, letters, others, without_unit};
+use super::column_units::{Unit, in_brackets, named, unit_m, units, without_other_unit, without_reference};
+use super::columns::{LENGTHS, letters, others};
 use super::control_order::errors_in_order;
 use super::control_use::Uses;
 use super::system_line::SystemLine;
@@ -55,7 +56,8 @@ const NAMES: [(Column, &str); 9] = [
         Column::Z,
         // With the sign for a letter that was not in UTF-8, too.
         "z h height elevation altitude elev höhe alt zaltitude zelevation zheight hoehe h\u{fffd}he orthometricheight orthoheight ellipsoidalheight \
-         ellipsoidheight ellheight hell ellipsoidischehöhe ellipsoidischehoehe heightellipsoidal gpsaltitude zalt up \
+         ellipsoidheight ellheight hell elliphgt elliphht ellhgt ellipheight ellipsoidalhgt ellipsoidischehöhe ellipsoidischehoehe heightellipsoidal gpsaltitude absolutealtitude hauteurellipsoïdale hauteurellipsoidale altitudeellipsoïdale \
+         altitudeellipsoidale alturaelipsoidal quotaellissoidica zalt up \
          cota quota cote hauteur altura altitud altitudine coordenadaz zcoordinate coordinatez zcoord coordz elevación elevacion elevação الارتفاع ارتفاع المنسوب منسوب",
     ),
     (Column::ErrorAcross, "across acch"),
@@ -95,53 +97,6 @@ const AXES: [(Column, &[&str]); 5] = [
     (Column::ErrorPx, &["px", "image"]),
 ];
 
-/// The unit that the name of a column has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Unit {
-    Degrees,
-    Length(&'static str),
-}
-
-/// Units as tables write them.
-const UNITS: [(&str, Unit); 29] = [
-    ("m", Unit::Length("m")),
-    ("metre", Unit::Length("m")),
-    ("metres", Unit::Length("m")),
-    ("meter", Unit::Length("m")),
-    ("meters", Unit::Length("m")),
-    ("decimal degrees", Unit::Degrees),
-    ("decimal degree", Unit::Degrees),
-    ("deg", Unit::Degrees),
-    ("degree", Unit::Degrees),
-    ("degrees", Unit::Degrees),
-    ("°", Unit::Degrees),
-    ("us-ft", Unit::Length("us-ft")),
-    ("us ft", Unit::Length("us-ft")),
-    ("us_ft", Unit::Length("us-ft")),
-    ("usft", Unit::Length("us-ft")),
-    ("ussft", Unit::Length("us-ft")),
-    ("ftus", Unit::Length("us-ft")),
-    ("sft", Unit::Length("us-ft")),
-    ("us survey feet", Unit::Length("us-ft")),
-    ("us survey foot", Unit::Length("us-ft")),
-    ("ift", Unit::Length("ft")),
-    ("international feet", Unit::Length("ft")),
-    ("international foot", Unit::Length("ft")),
-    ("ft", Unit::Length("ft")),
-    ("feet", Unit::Length("ft")),
-    ("foot", Unit::Length("ft")),
-    ("mm", Unit::Length("mm")),
-    ("cm", Unit::Length("cm")),
-    ("km", Unit::Length("km")),
-];
-
-/// A name in small letters, and the unit behind it, where there is one.
-pub(super) fn named(name: &str) -> (String, Option<Unit>) {
-    let (bare, unit) = without_unit(name, &UNITS.map(|(unit, _)| unit));
-    let unit = unit.and_then(|unit| UNITS.iter().find(|(known, _)| *known == unit));
-    (bare, unit.map(|(_, unit)| *unit))
-}
-
 /// A name of letters alone: programs join its words in many ways.
 fn plain(name: &str) -> String {
     letters(&named(name).0)
@@ -173,7 +128,7 @@ pub(super) fn coordinates_of(name: &str) -> Coordinates {
 pub(super) fn is_ellipsoidal(name: &str) -> Option<bool> {
     let plain = plain(name);
     match () {
-        () if plain.contains("ell") => Some(true),
+        () if plain.contains("ell") || plain.contains("elipsoid") => Some(true),
         () if plain.contains("ortho") => Some(false),
         () => None,
     }
@@ -213,7 +168,11 @@ fn axis_in_words(joined: &str) -> Option<Option<(Column, usize)>> {
 pub(super) fn meaning_of(name: &str) -> Option<(Column, usize)> {
     let (joined, unit) = named(name);
     let plain = letters(&joined);
-    let listed = axis_in_words(&joined).unwrap_or_else(|| listed(&plain));
+    let of_reference = || {
+        let found = listed(&letters(without_reference(&joined)?))?;
+        matches!(found.0, Column::X | Column::Y | Column::Z).then_some(found)
+    };
+    let listed = axis_in_words(&joined).unwrap_or_else(|| listed(&plain).or_else(of_reference));
     match unit {
         None | Some(Unit::Length("m")) => {}
         Some(Unit::Degrees) => return listed.filter(|(column, _)| matches!(column, Column::X | Column::Y)),
@@ -251,43 +210,33 @@ fn has_unknown_error_unit(name: &str) -> bool {
             matches!(column, Column::ErrorAcross | Column::ErrorX | Column::ErrorY | Column::ErrorUp | Column::ErrorAll)
         })
     };
-    match joined.trim_end().strip_suffix([')', ']']).and_then(|inner| inner.rsplit_once(['(', '['])) {
-        Some((bare, inner)) => {
-            unit.is_none() && is_length_error(bare.trim_end()) && AXES.iter().all(|(_, axes)| !axes.contains(&inner.trim()))
-        }
+    match in_brackets(&joined) {
+        Some((bare, inner)) => unit.is_none() && is_length_error(bare) && AXES.iter().all(|(_, axes)| !axes.contains(&inner)),
         None => unit == Some(Unit::Degrees) && is_length_error(&joined),
     }
 }
 
 /// Refuses a column of coordinates that would be the wanted one but for a unit in brackets that is not known.
 pub(super) fn check_unit(records: &Records, names: &StringRecord, wanted: Column) -> Result<(), Error> {
-    let is_wanted = |name: &&str| {
-        let joined = named(name).0;
-        // A word for an axis, as `Ost (Nord)` has it, is no unit.
-        let parts = joined.trim_end().strip_suffix([')', ']']).and_then(|inner| inner.rsplit_once(['(', '[']));
-        let bare = parts.filter(|(_, unit)| listed(&letters(unit)).is_none()).map(|(bare, _)| letters(bare));
-        bare.and_then(|bare| listed(&bare)).is_some_and(|(column, _)| column == wanted)
-    };
+    let is_wanted = |name: &&str| without_other_unit(name).and_then(|bare| listed(&bare)).is_some_and(|(column, _)| column == wanted);
     let Some(name) = names.iter().find(is_wanted).filter(|_| matches!(wanted, Column::X | Column::Y | Column::Z)) else { return Ok(()) };
-    refuse(Refusal::ColumnUnit { input: records.input(), column: shorten(name), units: LENGTHS.map(|(unit, _)| unit).join(", ") })
+    let units = LENGTHS.map(|(unit, _)| unit).join(", ");
+    refuse(Refusal::ColumnUnit { input: records.input(), column: shorten(name), units, degrees: wanted != Column::Z })
+}
+
+/// Whether a name is rather one of heights, though it is not read as such.
+pub(super) fn looks_like_height(name: &str) -> bool {
+    let (joined, _) = named(name);
+    let bare = in_brackets(&joined).map_or(&joined[..], |(bare, _)| bare);
+    let is_height = |bare: &str| listed(&letters(bare)).is_some_and(|(column, _)| column == Column::Z);
+    let is_of_words = ["height", "hgt", "altitude", "elevation", "höhe", "hoehe", "hauteur", "altura"];
+    let is_error = ERRORS.iter().any(|word| letters(&joined).contains(word));
+    !is_error && (is_height(bare) || is_of_words.iter().any(|word| bare.contains(word)))
 }
 
 /// The names of a column, between blanks.
 pub(super) fn names_of(column: Column) -> &'static str {
     NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known)
-}
-
-/// The units as tables write them.
-pub(super) fn units() -> Vec<&'static str> {
-    UNITS.iter().map(|(unit, _)| *unit).collect()
-}
-
-/// The unit of length that the name of a column has, in m: without one they are metres.
-pub(super) fn unit_m(name: &str) -> f64 {
-    match named(name).1 {
-        Some(Unit::Length(unit)) => LENGTHS.iter().find(|(known, _)| *known == unit).map_or(1.0, |(_, length_m)| *length_m),
-        Some(Unit::Degrees) | None => 1.0,
-    }
 }
 
 /// What each column of a line of names holds. `up` beside another height, where errors of the place but none of the height are named, is that error; so is `h` beside errors of both axes.

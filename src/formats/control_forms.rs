@@ -374,3 +374,26 @@ fn commas_of_codes_and_notes_say_nothing_of_those_of_coordinates() {
     let noted = "image\tx\ty\tnote\na.jpg\t446,833\t594,521\t1,5\n";
     assert!(parse_image_positions(noted).unwrap_err().to_string().contains("whether commas"));
 }
+
+#[test]
+fn brackets_that_hold_no_unit_leave_a_column_what_it_is() {
+    for head in [
+        "Punkt;Ost (UTM32);Nord (UTM32);Höhe [m NHN]",
+        "Punkt;E (UTM);N (UTM);Höhe (m ü. NHN)",
+        "Point;Easting;Northing;Elevation (NAVD88)",
+        "Punkt;Ost;Nord;H (DHHN2016)",
+        "Punkt;X;Y;Z (EGM96)",
+        "Punkt;X;Y;Altitude (m MSL)",
+        "Pt;E LV95;N LV95;H LN02",
+        "Point;Longitude (dd);Latitude (WGS84);Altitude",
+        "Point;Longitude [deg E];Latitude [deg N];Altitude",
+    ] {
+        assert_eq!(first(&format!("{head}\n7;1,5;2,5;3,5\n")), ("7".into(), [1.5, 2.5, 3.5], None), "{head}");
+    }
+    // What is of something else is no coordinate, and longitudes to the west are refused.
+    assert!(message("name,x,y,h (antenna)\nA,1.5,2,3\n").contains("neither a column 'z'"));
+    let west = message("name,Longitude [deg W],Latitude,z\nA,1.5,2,3\n");
+    assert!(west.contains("the column 'Longitude [deg W]', in a unit that is not known; allowed: degrees or"), "{west}");
+    let rod = message("name,x,y,H (rod)\nA,1.5,2,3\n");
+    assert!(rod.contains("not known; allowed: mm, cm"), "{rod}");
+}

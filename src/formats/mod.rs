@@ -10,6 +10,7 @@ mod cameras;
 mod colmap_features;
 mod colmap_read;
 mod colmap_write;
+mod column_units;
 mod columns;
 mod control;
 mod control_columns;

@@ -1,13 +1,14 @@
 //! What the columns of a table of image positions hold, by their names or by their order.
 
+use super::column_units::unit_m;
 use super::columns::{IMAGES, UnreadColumns, letters, others, without_unit};
 use super::control::StatedUnit;
-use super::control_columns::{Column, Coordinates, check_unit, coordinates_of, is_ellipsoidal, meaning_of, meanings, names_of, unit_m};
+use super::control_columns::{Column, Coordinates, check_unit, coordinates_of, is_ellipsoidal, looks_like_height, meaning_of, meanings, names_of};
 use super::error_columns::ErrorColumns;
 use super::hemispheres::Axis;
 use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
-use crate::text::{NumberedRecord, Records, filled};
+use crate::text::{NumberedRecord, Records, filled, shorten};
 use crate::{Error, Refusal};
 use csv::StringRecord;
 
@@ -153,6 +154,12 @@ impl PositionColumns {
             Column::Name | Column::ErrorPx | Column::Use | Column::Kind | Column::Enabled => None,
         };
         UnreadColumns::of(rows, head, &read.collect(), twin)
+    }
+
+    /// The column that is rather one of heights, where none is read.
+    pub fn unread_height(&self, head: &StringRecord) -> Option<String> {
+        let looks = |(column, name): &(usize, &str)| Some(*column) != self.sides[Axis::Height as usize] && looks_like_height(name);
+        head.iter().enumerate().find(looks).filter(|_| self.height.is_none()).map(|(_, name)| shorten(name))
     }
 
     /// The units of length that names of columns of coordinates have.

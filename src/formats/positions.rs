@@ -1,8 +1,9 @@
 //! Reading where images were taken: the GNSS positions of a block from a table.
 
+use super::column_units::units;
 use super::columns::UnreadColumns;
 use super::control::StatedUnit;
-use super::control_columns::{Coordinates, units};
+use super::control_columns::Coordinates;
 use super::error_columns::ErrorColumns;
 use super::hemispheres::{Axis, on_side};
 use super::position_columns::PositionColumns;
@@ -74,6 +75,8 @@ pub(crate) struct PositionHead {
     pub stated_units: Vec<StatedUnit>,
     /// Columns of standard errors that say no unit.
     pub error_columns: ErrorColumns,
+    /// A column of heights that is not understood, and how many positions have none for it.
+    pub unread_height: Option<(String, usize)>,
     /// Images at longitude 0 and latitude 0, as the table names them.
     pub nowhere: Vec<String>,
     /// The coordinate system that the table names for itself.
@@ -88,9 +91,10 @@ pub(crate) fn position_head(text: &str) -> Result<PositionHead, Error> {
     let table = Table::read(text)?;
     let (head, columns) = (table.head.as_ref(), &table.columns);
     let stated_units = head.map(|head| columns.stated_units(head)).unwrap_or_default();
-    let (_, nowhere) = table.positions()?;
+    let (positions, nowhere) = table.positions()?;
+    let unread_height = head.and_then(|head| columns.unread_height(head)).map(|column| (column, positions.rows.len()));
     let (unread, error_columns) = (columns.unread(table.rows(), head), columns.error_columns(head));
-    Ok(PositionHead { unread, stated_units, error_columns, nowhere, system: table.system.clone() })
+    Ok(PositionHead { unread, stated_units, error_columns, unread_height, nowhere, system: table.system.clone() })
 }
 
 struct Table {
@@ -520,5 +524,29 @@ mod tests {
             let refused = message(text);
             assert!(refused.contains(named), "{text}: {refused}");
         }
+    }
+
+    #[test]
+    fn heights_are_read_under_many_names_or_it_is_said_that_they_are_not() {
+        for name in [
+            "Höhe [m NHN]",
+            "Elevation (NAVD88)",
+            "AbsoluteAltitude",
+            "Hauteur ellipsoïdale",
+            "Altitude ellipsoïdale",
+            "Altura elipsoidal",
+            "Ellip. Hgt.",
+        ] {
+            let text = format!("image,x,y,{name}\na.jpg,446833.25,5594521.5,171.5\n");
+            assert_eq!(read(&text).rows[0].height, Some(171.5), "{name}");
+            assert_eq!(position_head(&text).unwrap().unread_height, None, "{name}");
+        }
+        for name in ["Height (rod)", "Antenna height", "h (ft/10)"] {
+            let text = format!("image,x,y,{name}\na.jpg,446833.25,5594521.5,171.5\n");
+            assert_eq!(read(&text).rows[0].height, None, "{name}");
+            assert_eq!(position_head(&text).unwrap().unread_height, Some((name.into(), 1)), "{name}");
+        }
+        let without = "image,x,y,height accuracy,yaw\na.jpg,446833.25,5594521.5,1.5,91\n";
+        assert_eq!(position_head(without).unwrap().unread_height, None);
     }
 }

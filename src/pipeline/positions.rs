@@ -167,6 +167,7 @@ impl PositionTable {
         let all = others.len() == rows.len() && nowhere.is_empty();
         let remarks = [
             (!unknown.is_empty()).then_some(Remark::UnknownPositionColumns { columns: unknown }),
+            self.head.unread_height.clone().map(|(column, positions)| Remark::PositionHeights { column, positions }),
             (!doubled.is_empty()).then_some(Remark::DoubledPositionColumns { columns: doubled }),
             (!others.is_empty()).then_some(Remark::PositionsOfOtherImages { images: others, all }),
             (!nowhere.is_empty()).then_some(Remark::ImpossiblePositions { images: nowhere }),
