@@ -1215,6 +1215,11 @@ refusal-control-place =
        *[false] الشرق x والشمال y بوحدة هذا النظام
     }
 refusal-control-degrees = نقطة الضبط الأرضي { $point }: أُعطي ({ $x }, { $y })، وهي تشبه الدرجات؛ المسموح: الشرق x والشمال y كما في { $crs }
+refusal-control-system =
+    جدول نقاط الضبط: أُعطي نظام الإحداثيات '{ $words }' في السطر { $line } { $crs ->
+        [none] ولا نظام غيره
+       *[other] مع { $crs }
+    }؛ المسموح: نقاط في نظام إحداثيات الكتلة (--crs)
 refusal-position-system =
     جدول مواضع الصور: أُعطي نظام الإحداثيات '{ $words }' في السطر { $line } { $crs ->
         [none] ولا نظام غيره

@@ -448,6 +448,11 @@ refusal-control-place =
        *[false] easting as x and northing as y in the unit of this system
     }
 refusal-control-degrees = ground control point { $point }: got ({ $x }, { $y }), which look like degrees; allowed: easting as x and northing as y, as { $crs } has them
+refusal-control-system =
+    the table of control points: got the coordinate system '{ $words }' in line { $line } { $crs ->
+        [none] and no other
+       *[other] beside { $crs }
+    }; allowed: points in the coordinate system of the block (--crs)
 refusal-position-system =
     the table of image positions: got the coordinate system '{ $words }' in line { $line } { $crs ->
         [none] and no other

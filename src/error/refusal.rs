@@ -196,6 +196,7 @@ messages! {
         ControlZone { x: String, zone: u32, short: String, crs: String, code: Option<String> },
         ControlUnit { given_in: String, own: String, crs: String, near: bool },
         ControlDegrees { point: String, #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, crs: String },
+        ControlSystem { words: String, line: usize, crs: Option<String> },
         PositionSystem { words: String, line: usize, crs: Option<String> },
         PositionWithoutCrs { #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, line: usize },
         PositionPlace { #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, line: usize, crs: String, degrees: bool },

@@ -4,6 +4,7 @@ use super::column_units::{Unit, named};
 use super::columns::UnreadColumns;
 use super::control_columns::{Columns, Layout, meanings};
 use super::error_columns::ErrorColumns;
+use super::system_line::SystemLine;
 use crate::error::refuse;
 use crate::text::{Records, Row, records, shorten, table};
 use crate::{ControlRole, Error, Input, Refusal};
@@ -114,6 +115,14 @@ pub(crate) fn stated_units(text: &str) -> Result<Vec<StatedUnit>, Error> {
     let Layout { columns, names, .. } = Layout::of(&records)?;
     let [x, y, z] = columns.position;
     Ok(names.map(|names| StatedUnit::of(&names, [x, y], Some(z))).unwrap_or_default())
+}
+
+/// The coordinate system that the table names for itself above the names of its columns.
+///
+/// # Errors
+/// As [`parse_ground_control_points`].
+pub(crate) fn control_system(text: &str) -> Result<Option<SystemLine>, Error> {
+    Ok(SystemLine::of(&records(Input::ControlTable, text)?))
 }
 
 /// The columns of standard errors that say no unit.

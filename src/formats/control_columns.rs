@@ -288,7 +288,6 @@ const NEEDED: [(Column, &str); 4] = [(Column::Name, "name"), (Column::X, "x"), (
 impl<'a> Layout<'a> {
     /// The columns of a table by the line that names them, or by their order.
     pub fn of(records: &'a Records) -> Result<Self, Error> {
-        SystemLine::refuse_in(records)?;
         let needed = |names: &StringRecord| {
             let meanings = meanings(names);
             let [name, x, y, z] = NEEDED.map(|(column, _)| place(names, &meanings, column));
@@ -302,6 +301,7 @@ impl<'a> Layout<'a> {
             columns.numbers().check(records, rows)?;
             return Ok(Self { columns, names: Some(names), rows });
         }
+        SystemLine::refuse_in(records)?;
         let has_number = |record: &StringRecord, column: usize| record.get(column).is_some_and(|field| records.number(field).is_some());
         // Of points that were not surveyed yet the coordinates are empty.
         let first = || rows.iter().map(|(_, record)| record).find(|record| !Columns::default().lacks_coordinates(record));

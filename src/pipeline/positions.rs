@@ -80,9 +80,10 @@ impl PositionTable {
     /// Refuses a coordinate system that the table names for itself where it is not that of the block, or of WGS 84 for degrees.
     fn check_own_system(&self, placing: &GeoreferencingOptions) -> Result<(), Error> {
         let Some(SystemLine { crs, words, line }) = &self.head.system else { return Ok(()) };
-        let (own, block) = (Definition::read(crs)?, placing.definition()?);
+        // One that is not known is none of these.
+        let (own, block) = (Definition::read(crs).ok(), placing.definition()?);
         let wanted = if self.positions.is_geographic { Some(Definition::read(WGS_84)?) } else { block.clone() };
-        match wanted.is_some_and(|wanted| own.has_plane_of(&wanted)) {
+        match wanted.zip(own).is_some_and(|(wanted, own)| own.has_plane_of(&wanted)) {
             true => Ok(()),
             false => refuse(Refusal::PositionSystem { words: words.clone(), line: *line, crs: block.map(|block| block.name()) }),
         }
@@ -282,6 +283,7 @@ mod tests {
             (utm, "EPSG:25832", "'WGS84 UTM 32N' in line 1 beside ETRS89"),
             (utm, "", "'WGS84 UTM 32N' in line 1 and no other; allowed: positions in the coordinate system of the block (--crs)"),
             ("EPSG:32632\nIMG_1.JPG 8.25 50.5 171.5\n", "EPSG:32632", "'EPSG:32632' in line 1"),
+            ("EPSG:99999\nIMG_1.JPG 446833.2 5594521.7 171.5\n", "EPSG:32632", "image positions: got the coordinate system 'EPSG:99999' in line 1"),
             ("EPSG:4314\nIMG_1.JPG 8.25 50.5 171.5\n", "", "or longitudes and latitudes of WGS 84"),
         ] {
             let told = refused(text, crs);
