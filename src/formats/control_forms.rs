@@ -397,3 +397,12 @@ fn brackets_that_hold_no_unit_leave_a_column_what_it_is() {
     let rod = message("name,x,y,H (rod)\nA,1.5,2,3\n");
     assert!(rod.contains("not known; allowed: mm, cm"), "{rod}");
 }
+
+#[test]
+fn numbers_behind_the_coordinates_that_can_be_no_standard_errors_are_refused() {
+    for text in ["1,446833.2,5594521.7,124.0,101,3\n", "1;446833,2;5594521,7;124,0;3;101\n"] {
+        let refused = message(text);
+        assert!(refused.contains("5 numbers behind the name in line 1") && refused.contains("up to 10 m"), "{refused}");
+    }
+    assert_eq!(first("1,446833.2,5594521.7,124.0,10,3\n").2, Some([10.0, 3.0]));
+}

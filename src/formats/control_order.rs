@@ -32,6 +32,11 @@ pub(super) fn errors_in_order(records: &Records) -> Result<Option<([usize; 2], u
         if records.may_be_cut(&numbers) && (may_be_figures || numbers.iter().any(|field| has_leading_zero(field))) {
             return refused(|record, _, line| Refusal::DecimalCommas { input: Input::ControlTable, record, line });
         }
+        // Other numbers than standard errors may follow, as those of a time or of satellites.
+        let are_beyond = of_errors.iter().any(|error| error.abs() > MOST_ERROR_M);
+        if numbers.len() == WITH_TWO && are_beyond {
+            return refused(|record, numbers, line| Refusal::ControlNumbers { record, numbers, line, most_m: MOST_ERROR_M });
+        }
         // A name with a blank in it shifts what stands behind it.
         if records.has_blanks() && numbers.len() > 3 && !are_small {
             return refused(|record, numbers, line| Refusal::ControlNumbers { record, numbers, line, most_m: MOST_ERROR_M });

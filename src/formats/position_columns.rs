@@ -15,6 +15,9 @@ use csv::StringRecord;
 /// Names of the column of images beside those that tables of measurements have.
 const FURTHER: &str = "name label cameralabel nom nombre nome";
 
+/// Largest standard error in a column without a name, in m: positions of receivers are known so well.
+const MOST_ERROR_M: f64 = 50.0;
+
 /// The columns of a table of image positions.
 #[derive(Debug, Clone)]
 pub(super) struct PositionColumns {
@@ -34,7 +37,8 @@ pub(super) struct PositionColumns {
 }
 
 impl PositionColumns {
-    /// The columns of rows without names. `coordinates`: what x and y are, where the table says its system. Standard errors stand behind the height where nothing follows them, or behind three angles.
+    /// The columns of rows without names. `coordinates`: what x and y are, where the table says its system. Standard errors stand behind the height where nothing
+    /// follows them, or behind three angles, and only where all of them can be some.
     pub fn in_order(records: &Records, coordinates: Option<Coordinates>) -> Self {
         let width = records.rows.iter().map(|(_, record)| filled(record)).max().unwrap_or(0);
         let errors = match width {
@@ -42,6 +46,12 @@ impl PositionColumns {
             9 => Some(7),
             _ => None,
         };
+        // Angles and words stand there, too.
+        let is_error = |field: &str| field.is_empty() || records.number(field).is_some_and(|error| error > 0.0 && error <= MOST_ERROR_M);
+        let are_errors = |column: &usize| {
+            records.rows.iter().all(|(_, record)| [*column, column + 1].iter().all(|column| record.get(*column).is_none_or(is_error)))
+        };
+        let errors = errors.filter(are_errors);
         Self {
             image: 0,
             place: [1, 2],

@@ -51,7 +51,7 @@ pub struct ImagePositionRow {
 /// ExifTool writes them; heights above sea level and below it likewise. (0, 0), which receivers without a fix write, is no position.
 ///
 /// Places under names that leave it open (`x`, `X/Longitude`) are longitudes and latitudes where all of them can be. Without names the columns are image, x,
-/// y, height; of six columns the last two, and of nine, behind three angles, the last two are standard errors. Degrees without names are longitude and
+/// y, height; of six columns the last two, and of nine, behind three angles, the last two are standard errors, where all of them are above 0 and up to 50 m. Degrees without names are longitude and
 /// latitude in whatever order, where one of the two is beyond 90° somewhere. Rows without any coordinate are skipped, as are blank lines and
 /// lines that begin with `#`.
 ///
@@ -345,12 +345,15 @@ mod tests {
             ("a,446833.25,5594521.5,171.5,0.02,0.04\n", [Some(0.02), Some(0.04)]),
             ("a,446833.25,5594521.5,171.5,1,2,3,0.02,0.04\n", [Some(0.02), Some(0.04)]),
             ("a,446833.25,5594521.5,171.5,1,2,3\n", [None, None]),
+            ("a,446833.25,5594521.5,171.5,91,2\n", [None, None]),
+            ("a,446833.25,5594521.5,171.5,TP,bolt\n", [None, None]),
         ] {
             let found = read(text);
             assert!(!found.is_geographic, "{text}");
             let row = &found.rows[0];
             assert_eq!((row.place, row.height, row.standard_errors), ([446_833.25, 5_594_521.5], Some(171.5), errors), "{text}");
         }
+        assert_eq!(unread("a,446833.25,5594521.5,171.5,91,2\n").unknown, ["#5", "#6"]);
         // `x` of a plane is no longitude where one row lies beyond.
         assert!(!read("image,x,y\na,10,20\nb,1000,20\n").is_geographic);
     }
