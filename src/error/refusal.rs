@@ -158,6 +158,7 @@ messages! {
         ControlErrorColumn { column: String },
         ControlErrorUnit { column: String, units: String },
         ControlNumbers { record: String, numbers: usize, line: usize, most_m: f64 },
+        ControlLoneError { word: String, line: usize },
         DecimalCommas { input: Input, record: String, line: usize },
         Thousands { input: Input, word: String, column: String, line: usize },
         ThousandsCommas { input: Input, record: String, line: usize },
