@@ -43,13 +43,13 @@ const NAMES: [(Column, &str); 9] = [
     (
         Column::X,
         "x e east easting longitude lon rechtswert ost xeasting long xlongitude rechts ostwert eastings \
-         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine coordenadax xcoordinate coordinatex xcoord coordx \
+         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine coordenadax xcoordinate coordinatex xcoord coordx locale localeast localeasting utmost utmeast utmeasting utmrechtswert \
          الشرق شرق الشرقيات شرقيات خطالطول خططول",
     ),
     (
         Column::Y,
         "y n north northing latitude lat hochwert nord ynorthing ylatitude hoch nordwert northings \
-         breite gpslatitude ylat norte latitud latitudine coordenaday ycoordinate coordinatey ycoord coordy \
+         breite gpslatitude ylat norte latitud latitudine coordenaday ycoordinate coordinatey ycoord coordy localn localnorth localnorthing utmnord utmnorth utmnorthing utmhochwert \
          الشمال شمال الشماليات شماليات خطالعرض خطعرض دائرةالعرض",
     ),
     (
@@ -57,7 +57,7 @@ const NAMES: [(Column, &str); 9] = [
         // With the sign for a letter that was not in UTF-8, too.
         "z h height elevation altitude elev höhe alt zaltitude zelevation zheight hoehe h\u{fffd}he orthometricheight orthoheight ellipsoidalheight \
          ellipsoidheight ellheight hell elliphgt elliphht ellhgt ellipheight ellipsoidalhgt ellipsoidischehöhe ellipsoidischehoehe heightellipsoidal gpsaltitude absolutealtitude hauteurellipsoïdale hauteurellipsoidale altitudeellipsoïdale \
-         altitudeellipsoidale alturaelipsoidal quotaellissoidica zalt up \
+         altitudeellipsoidale alturaelipsoidal quotaellissoidica localh localheight nhnhöhe nhnhoehe nnhöhe hgt zalt up \
          cota quota cote hauteur altura altitud altitudine coordenadaz zcoordinate coordinatez zcoord coordz elevación elevacion elevação الارتفاع ارتفاع المنسوب منسوب",
     ),
     (Column::ErrorAcross, "across acch"),
@@ -247,6 +247,12 @@ pub(super) fn meanings(record: &StringRecord) -> Vec<Option<Column>> {
     let lacks_error = found.contains(&Some(Column::ErrorAcross)) && !found.contains(&Some(Column::ErrorUp));
     if has_height && lacks_error {
         (0..found.len()).filter(is_up).for_each(|column| found[column] = Some(Column::ErrorUp));
+    }
+    // Numbers of points, where northings are in a column of their own.
+    let is_n = |column: usize| record.get(column).is_some_and(|name| plain(name) == "n");
+    let has_northings = found.iter().enumerate().any(|(column, is)| *is == Some(Column::Y) && !is_n(column));
+    if is_n(0) && has_northings && found[0] == Some(Column::Y) && !found.contains(&Some(Column::Name)) {
+        found[0] = Some(Column::Name);
     }
     let is_of_h =
         |column: &usize| record.get(*column).is_some_and(|name| ERRORS.iter().any(|word| plain(name).strip_prefix(word) == Some("h")));

@@ -406,3 +406,23 @@ fn numbers_behind_the_coordinates_that_can_be_no_standard_errors_are_refused() {
     }
     assert_eq!(first("1,446833.2,5594521.7,124.0,10,3\n").2, Some([10.0, 3.0]));
 }
+
+#[test]
+fn names_with_signs_and_systems_in_them_are_known() {
+    for head in [
+        "Point #;X;Y;Z",
+        "Pt#;X;Y;Z",
+        "n;x;y;z",
+        "Point;Easting;Northing;Ellip. Hgt.",
+        "Point;Local E;Local N;Local H",
+        "Point;E LV95;N LV95;H LN02",
+        "Punkt;UTM-Ost;UTM-Nord;NHN-Höhe",
+    ] {
+        assert_eq!(first(&format!("{head}\n7;1,5;2,5;3,5\n")), ("7".into(), [1.5, 2.5, 3.5], None), "{head}");
+    }
+    for head in ["Photo #;X;Y", "Nom de l'image;X;Y", "اسم الصورة;X;Y"] {
+        assert_eq!(parse_image_positions(&format!("{head}\na.jpg;1000,5;2,5\n")).unwrap().rows[0].image, "a.jpg", "{head}");
+        let mark = parse_image_measurements(&format!("P;{head};Point #\n1;a.jpg;10,5;20;P1\n")).unwrap().remove(0);
+        assert_eq!((&mark.image[..], &mark.point[..], mark.x_px), ("a.jpg", "P1", 10.5), "{head}");
+    }
+}
