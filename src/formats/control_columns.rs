@@ -68,7 +68,7 @@ const NAMES: [(Column, &str); 9] = [
 ];
 
 /// The words for a standard error, bare or with an axis before or behind them. `error` is none: other programs call residuals that.
-const ERRORS: [&str; 14] = [
+const ERRORS: [&str; 18] = [
     "sigma",
     "accuracy",
     "acc",
@@ -83,13 +83,18 @@ const ERRORS: [&str; 14] = [
     "standarddeviation",
     "genauigkeit",
     "standardabweichung",
+    "stdabw",
+    "précision",
+    "ecarttype",
+    "écarttype",
 ];
 
 /// The axes of standard errors. `h` is none: it is height in one program, horizontal in the next.
-const AXES: [(Column, &[&str]); 5] = [
+const AXES: [(Column, &[&str]); 6] = [
+    (Column::ErrorAll, &["xyz"]),
     (Column::ErrorAcross, &["xy", "horizontal", "horz", "hor", "lage", "plan", "lateral", "across", "en"]),
-    (Column::ErrorX, &["x", "e", "east", "easting", "longitude", "lon"]),
-    (Column::ErrorY, &["y", "n", "north", "northing", "latitude", "lat"]),
+    (Column::ErrorX, &["x", "e", "east", "easting", "longitude", "lon", "ost", "rechts", "rechtswert"]),
+    (Column::ErrorY, &["y", "n", "north", "northing", "latitude", "lat", "nord", "hoch", "hochwert"]),
     (
         Column::ErrorUp,
         &["z", "vertical", "vert", "u", "höhe", "hoehe", "höhen", "hoehen", "up", "height", "altitude", "alt", "elevation", "elev"],
@@ -239,7 +244,8 @@ pub(super) fn names_of(column: Column) -> &'static str {
     NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known)
 }
 
-/// What each column of a line of names holds. `up` beside another height, where errors of the place but none of the height are named, is that error; so is `h` beside errors of both axes.
+/// What each column of a line of names holds. `up` beside another height, where errors of the place but none of the height are named, is that error; so is `h` beside errors of both axes;
+/// beside `v` it is the place.
 pub(super) fn meanings(record: &StringRecord) -> Vec<Option<Column>> {
     let mut found: Vec<Option<Column>> = record.iter().map(|name| meaning_of(name).map(|(column, _)| column)).collect();
     let is_up = |column: &usize| record.get(*column).is_some_and(|name| plain(name) == "up");
@@ -254,12 +260,27 @@ pub(super) fn meanings(record: &StringRecord) -> Vec<Option<Column>> {
     if is_n(0) && has_northings && found[0] == Some(Column::Y) && !found.contains(&Some(Column::Name)) {
         found[0] = Some(Column::Name);
     }
-    let is_of_h =
-        |column: &usize| record.get(*column).is_some_and(|name| ERRORS.iter().any(|word| plain(name).strip_prefix(word) == Some("h")));
-    if found.contains(&Some(Column::ErrorX)) && found.contains(&Some(Column::ErrorY)) && !found.contains(&Some(Column::ErrorUp)) {
-        (0..found.len()).filter(is_of_h).for_each(|column| found[column] = Some(Column::ErrorUp));
-    }
+    let of_axis = |axis: &str| -> Vec<usize> {
+        let is_of = |name: &str| ERRORS.iter().any(|word| name.strip_prefix(word) == Some(axis) || name.strip_suffix(word) == Some(axis));
+        let name = |column: &usize| record.get(*column).map(plain).unwrap_or_default();
+        (0..found.len()).filter(|column| found[*column].is_none() && named_in_metres(record, *column) && is_of(&name(column))).collect()
+    };
+    let (of_h, of_v) = (of_axis("h"), of_axis("v"));
+    // Beside one of the vertical, as `HRMS` and `VRMS`, it is the horizontal.
+    let beside_both = found.contains(&Some(Column::ErrorX)) && found.contains(&Some(Column::ErrorY)) && !found.contains(&Some(Column::ErrorUp));
+    let (h_is, v_is) = match () {
+        () if !of_v.is_empty() && !of_h.is_empty() => (Some(Column::ErrorAcross), Some(Column::ErrorUp)),
+        () if beside_both => (Some(Column::ErrorUp), None),
+        () => (None, None),
+    };
+    of_h.into_iter().for_each(|column| found[column] = h_is);
+    of_v.into_iter().for_each(|column| found[column] = v_is);
     found
+}
+
+/// Whether the name of a column has no unit or one of length.
+fn named_in_metres(record: &StringRecord, column: usize) -> bool {
+    record.get(column).is_some_and(|name| named(name).1 != Some(Unit::Degrees))
 }
 
 /// The columns of a table: of the name, of x, y, z, of the standard errors of the place (of which the larger one counts) and of the height.

@@ -426,3 +426,21 @@ fn names_with_signs_and_systems_in_them_are_known() {
         assert_eq!((&mark.image[..], &mark.point[..], mark.x_px), ("a.jpg", "P1", 10.5), "{head}");
     }
 }
+
+#[test]
+fn standard_errors_are_known_in_other_languages_and_by_horizontal_and_vertical() {
+    for (head, values) in [
+        ("Précision XY;Précision Z", "0,02;0,03"),
+        ("Ecart-type XY;Ecart-type Z", "0,02;0,03"),
+        ("Écart-type XY;Écart-type Z", "0,02;0,03"),
+        ("StdAbw Ost;StdAbw Nord;StdAbw Höhe", "0,01;0,02;0,03"),
+        ("HRMS;VRMS", "0,02;0,03"),
+        ("H Precision;V Precision", "0,02;0,03"),
+        ("VRMS;HRMS", "0,03;0,02"),
+    ] {
+        assert_eq!(first(&format!("name;x;y;z;{head}\nA;1,5;2,5;3,5;{values}\n")).2, Some([0.02, 0.03]), "{head}");
+    }
+    assert_eq!(first("name,x,y,z,Accuracy_X/Y/Z_(m)\nA,1.5,2,3,0.02\n").2, Some([0.02, 0.02]));
+    // By itself the letter may be of either.
+    assert_eq!(unread_columns("name,x,y,z,HRMS\nA,1.5,2,3,0.4\n").unwrap().unknown, ["HRMS"]);
+}
