@@ -137,6 +137,11 @@ fn plain(text: &str) -> Cow<'_, str> {
 /// The Arabic semicolon and comma.
 const ARABIC: [char; 2] = ['\u{61b}', '\u{60c}'];
 
+/// Whether a cell of numbers holds none: it is empty, or has a dash for that.
+pub(crate) fn is_none(field: &str) -> bool {
+    matches!(field, "" | "-" | "–" | "—")
+}
+
 /// How many fields a record has up to the last one that holds something: spreadsheets write empty ones behind it.
 pub(crate) fn filled(record: &StringRecord) -> usize {
     (0..record.len()).rev().find(|column| !record[*column].is_empty()).map_or(0, |last| last + 1)

@@ -7,7 +7,7 @@ use super::control_use::Uses;
 use super::system_line::SystemLine;
 use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
-use crate::text::{Headed, Records, shorten};
+use crate::text::{Headed, Records, is_none, shorten};
 use crate::{Error, Refusal};
 use csv::StringRecord;
 use std::collections::BTreeSet;
@@ -404,7 +404,7 @@ impl Columns {
 
     /// Whether a row has none of x, y and z.
     pub fn lacks_coordinates(&self, record: &StringRecord) -> bool {
-        self.position.into_iter().all(|column| record.get(column) == Some(""))
+        self.position.into_iter().all(|column| record.get(column).is_some_and(is_none))
     }
 
     /// Its numbers, and what is none.

@@ -444,3 +444,21 @@ fn standard_errors_are_known_in_other_languages_and_by_horizontal_and_vertical()
     // By itself the letter may be of either.
     assert_eq!(unread_columns("name,x,y,z,HRMS\nA,1.5,2,3,0.4\n").unwrap().unknown, ["HRMS"]);
 }
+
+#[test]
+fn dashes_stand_for_numbers_that_are_none() {
+    for dash in ["-", "–"] {
+        for head in ["name,x,y,z\n", ""] {
+            let text = format!("{head}P1,446833.2,5594521.7,124.5\nP2,{dash},{dash},{dash}\n");
+            assert_eq!(parse_ground_control_points(&text).unwrap().len(), 1, "{text}");
+            assert_eq!(points_without_coordinates(&text).unwrap(), ["P2"], "{text}");
+        }
+        let positions = parse_image_positions(&format!(
+            "image,x,y,z\nb.jpg,{dash},{dash},{dash}\na.jpg,446833.2,5594521.7,124.5\nc.jpg,446833.2,5594521.7,{dash}\n"
+        ));
+        assert_eq!(positions.unwrap().rows.iter().map(|row| row.height).collect::<Vec<_>>(), [Some(124.5), None]);
+        let stated = format!("name,x,y,z,sigma_xy,sigma_z\nA,1.5,2,3,{dash},{dash}\n");
+        assert_eq!(first(&stated).2, None);
+        assert!(message(&format!("name,x,y,z\nA,1.5,{dash},3\n")).contains("for y in line 2"));
+    }
+}

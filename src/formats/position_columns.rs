@@ -8,7 +8,7 @@ use super::error_columns::ErrorColumns;
 use super::hemispheres::Axis;
 use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
-use crate::text::{NumberedRecord, Records, filled, shorten};
+use crate::text::{NumberedRecord, Records, filled, is_none, shorten};
 use crate::{Error, Refusal};
 use csv::StringRecord;
 
@@ -47,7 +47,7 @@ impl PositionColumns {
             _ => None,
         };
         // Angles and words stand there, too.
-        let is_error = |field: &str| field.is_empty() || records.number(field).is_some_and(|error| error > 0.0 && error <= MOST_ERROR_M);
+        let is_error = |field: &str| is_none(field) || records.number(field).is_some_and(|error| error > 0.0 && error <= MOST_ERROR_M);
         let are_errors = |column: &usize| {
             records.rows.iter().all(|(_, record)| [*column, column + 1].iter().all(|column| record.get(*column).is_none_or(is_error)))
         };

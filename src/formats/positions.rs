@@ -10,7 +10,7 @@ use super::position_columns::PositionColumns;
 use super::system_line::SystemLine;
 use super::whole_numbers::has_leading_zero;
 use crate::error::refuse;
-use crate::text::{Headed, NumberedRecord, Records, records, shorten};
+use crate::text::{Headed, NumberedRecord, Records, is_none, records, shorten};
 use crate::{Error, Input, Refusal};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
@@ -52,7 +52,7 @@ pub struct ImagePositionRow {
 ///
 /// Places under names that leave it open (`x`, `X/Longitude`) are longitudes and latitudes where all of them can be. Without names the columns are image, x,
 /// y, height; of six columns the last two, and of nine, behind three angles, the last two are standard errors, where all of them are above 0 and up to 50 m. Degrees without names are longitude and
-/// latitude in whatever order, where one of the two is beyond 90° somewhere. Rows without any coordinate are skipped, as are blank lines and
+/// latitude in whatever order, where one of the two is beyond 90° somewhere. Rows without any coordinate, which a dash may stand for, are skipped, as are blank lines and
 /// lines that begin with `#`.
 ///
 /// # Errors
@@ -118,7 +118,7 @@ impl Table {
         let Headed { names, rows, misplaced } = records.headed(PositionColumns::needed, &units())?;
         let above = records.rows.len() - rows.len();
         let is_number = |field: Option<&str>| field.is_some_and(|field| records.number(field).is_some());
-        let is_given = |record: &StringRecord| (1..4).any(|column| record.get(column).is_some_and(|field| !field.is_empty()));
+        let is_given = |record: &StringRecord| (1..4).any(|column| record.get(column).is_some_and(|field| !is_none(field)));
         let first = || rows.iter().map(|(_, record)| record).find(|record| is_given(record));
         let is_in_order = || first().is_none_or(|first| [1, 2].iter().all(|column| is_number(first.get(*column))));
         if names.is_none() && misplaced.is_none() && is_in_order() {
@@ -182,12 +182,12 @@ impl Table {
             let refusal = || Refusal::PositionSide { word: shorten(field(side)), column: name(side), value: shorten(field(column)), line };
             axis.is_negative(field(side)).and_then(|is_negative| on_side(value, is_negative)).ok_or_else(|| refusal().into_error())
         };
-        let given = |column: Option<usize>| column.filter(|column| !field(*column).is_empty()).map(number).transpose();
+        let given = |column: Option<usize>| column.filter(|column| !is_none(field(*column))).map(number).transpose();
         let image = field(columns.image).to_string();
         if image.is_empty() || image.chars().any(char::is_control) {
             return refuse(Refusal::PositionName { name: shorten(&image), line });
         }
-        if columns.place.into_iter().chain(columns.height).all(|column| field(column).is_empty()) {
+        if columns.place.into_iter().chain(columns.height).all(|column| is_none(field(column))) {
             return Ok(None);
         }
         let place = [coordinate(Axis::Longitude, columns.place[0])?, coordinate(Axis::Latitude, columns.place[1])?];
@@ -203,7 +203,7 @@ impl Table {
             return refuse(Refusal::PositionErrors { errors: error.to_string(), line });
         }
         let height =
-            columns.height.filter(|column| !field(*column).is_empty()).map(|column| coordinate(Axis::Height, column)).transpose()?;
+            columns.height.filter(|column| !is_none(field(*column))).map(|column| coordinate(Axis::Height, column)).transpose()?;
         Ok(Some(ImagePositionRow { image, place, height, standard_errors, line }))
     }
 }
