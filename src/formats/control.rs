@@ -4,6 +4,7 @@ use super::column_units::{Unit, named};
 use super::columns::UnreadColumns;
 use super::control_columns::{Columns, Layout, meanings};
 use super::error_columns::ErrorColumns;
+use super::hemispheres::Axis;
 use super::system_line::SystemLine;
 use crate::error::refuse;
 use crate::text::{Records, Row, is_none, records, shorten, table};
@@ -39,7 +40,7 @@ fn control() -> Option<ControlRole> {
 /// Numbers may have a decimal comma where commas do not separate, and in quotes. A line that names columns may come before them, below a title and above a line of units, in any order, in capitals or not: name, x, y, z, standard errors of place and height,
 /// of image measurements in px, and use (`control`, `check` or `off`, or what other programs write for them), each by one of many names in several languages, with `(m)` behind it or not; a run reports those that it
 /// does not read, and refuses coordinates whose name has another unit than their system. Standard errors in another unit are converted to m. A comment directly above rows of numbers is such a line where it names name, x, y and z, as Metashape writes it. Of standard errors of x and y the larger one counts; one without an axis, as `accuracy`, is that of all three. `up` is the height, or its
-/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files, or have the standard errors of x, y and height behind them; a fifth one of words, or a fifth and last one of whole numbers behind coordinates with a point, is a code and no standard error. Points without any coordinate, as other programs list those that were not surveyed, are skipped; a dash stands for none, too. Blank lines and lines that begin with `#` are skipped.
+/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files, or have the standard errors of x, y and height behind them; a fifth one of words, or a fifth and last one of whole numbers behind coordinates with a point, is a code and no standard error. Points without any coordinate, as other programs list those that were not surveyed, are skipped; a dash stands for none, too. Columns of longitude and latitude may have the letters of hemispheres, and minutes and seconds. Blank lines and lines that begin with `#` are skipped.
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line, for numbers that are none, standard errors that are not above 0, a name that comes twice, and fields that may be parts of numbers with decimal commas.
@@ -154,7 +155,11 @@ fn read_point(
         return refuse(Refusal::ControlName { name: shorten(&name), line });
     }
     let [x, y, z] = columns.position;
-    let position = [number(x, "x")?, number(y, "y")?, number(z, "z")?];
+    let coordinate = |axis: Axis, column: usize, what: &str| match axis.read(field(column), |text| records.number(text)) {
+        Some(value) if columns.is_geographic => Ok(value),
+        _ => number(column, what),
+    };
+    let position = [coordinate(Axis::Longitude, x, "x")?, coordinate(Axis::Latitude, y, "y")?, number(z, "z")?];
     let given = columns.standard_errors.filter(|([x, y], z)| [x, y, z].iter().any(|column| !is_none(field(**column))));
     let standard_errors = match given {
         Some(([x, y], z)) => {

@@ -293,12 +293,14 @@ pub(super) struct Columns {
     pub error_units_m: [f64; 3],
     pub uses: Uses,
     pub sigma_px: Option<usize>,
+    /// Whether x and y are named as longitude and latitude.
+    pub is_geographic: bool,
 }
 
 impl Default for Columns {
     fn default() -> Self {
         let standard_errors = Some(([4, 4], 5));
-        Self { name: 0, position: [1, 2, 3], standard_errors, error_units_m: [1.0; 3], uses: Uses::default(), sigma_px: None }
+        Self { name: 0, position: [1, 2, 3], standard_errors, error_units_m: [1.0; 3], uses: Uses::default(), sigma_px: None, is_geographic: false }
     }
 }
 
@@ -399,6 +401,9 @@ impl Columns {
             error_units_m: standard_errors.map_or([1.0; 3], |([x, y], z)| [x, y, z].map(unit_m)),
             uses: Uses::of(rows, place(Column::Use), place(Column::Kind), place(Column::Enabled)),
             sigma_px: place(Column::ErrorPx),
+            is_geographic: [x, y]
+                .into_iter()
+                .all(|column| names.get(column).is_some_and(|name| coordinates_of(name) == Coordinates::Geographic)),
         })
     }
 

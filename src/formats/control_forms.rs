@@ -466,3 +466,14 @@ fn dashes_stand_for_numbers_that_are_none() {
         assert!(message(&format!("name,x,y,z\nA,1.5,{dash},3\n")).contains("for y in line 2"));
     }
 }
+
+#[test]
+fn longitudes_and_latitudes_are_read_with_their_hemispheres() {
+    let south = "name,longitude,latitude,height\nA,8.25 W,33.5 S,3\n";
+    assert_eq!(first(south).1, [-8.25, -33.5, 3.0]);
+    let [x, y, _] = first("name;Länge;Breite;Höhe\nA;8°15'0\" E;33° 30' N;3\n").1;
+    assert!((x - 8.25).abs() < 1e-12 && (y - 33.5).abs() < 1e-12, "{x} {y}");
+    for wrong in ["name,longitude,latitude,height\nA,-8.25 E,33.5,3\n", "name,x,y,z\nA,8.25 W,33.5,3\n"] {
+        assert!(message(wrong).contains("for x in line 2"), "{wrong}: {}", message(wrong));
+    }
+}
