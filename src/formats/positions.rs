@@ -92,7 +92,12 @@ pub(crate) fn position_head(text: &str) -> Result<PositionHead, Error> {
     let (head, columns) = (table.head.as_ref(), &table.columns);
     let stated_units = head.map(|head| columns.stated_units(head)).unwrap_or_default();
     let (positions, nowhere) = table.positions()?;
-    let unread_height = head.and_then(|head| columns.unread_height(head)).map(|column| (column, positions.rows.len()));
+    let of_side = columns.sides[Axis::Height as usize].and_then(|side| head?.get(side)).map(shorten);
+    let unsided = table.rows().iter().filter(|(_, record)| table.has_unknown_side(record)).count();
+    let unread_height = match head.and_then(|head| columns.unread_height(head)) {
+        Some(column) => Some((column, positions.rows.len())),
+        None => of_side.map(|column| (column, unsided)).filter(|(_, unsided)| *unsided > 0),
+    };
     let (unread, error_columns) = (columns.unread(table.rows(), head), columns.error_columns(head));
     Ok(PositionHead { unread, stated_units, error_columns, unread_height, nowhere, system: table.system.clone() })
 }
@@ -162,6 +167,12 @@ impl Table {
         Ok((ImagePositions { is_geographic, rows }, nowhere.into_iter().map(|row| row.image).collect()))
     }
 
+    /// Whether the side of sea level is not known on which the height of a row is.
+    fn has_unknown_side(&self, record: &StringRecord) -> bool {
+        let side = self.columns.sides[Axis::Height as usize].and_then(|side| record.get(side)).filter(|word| !word.is_empty());
+        side.is_some_and(|word| Axis::Height.is_negative(word).is_none())
+    }
+
     fn row(&self, line: usize, record: &StringRecord) -> Result<Option<ImagePositionRow>, Error> {
         let columns = &self.columns;
         let field = |column: usize| record.get(column).unwrap_or("");
@@ -202,8 +213,8 @@ impl Table {
         if let Some(error) = standard_errors.into_iter().flatten().find(|error| !(*error > 0.0)) {
             return refuse(Refusal::PositionErrors { errors: error.to_string(), line });
         }
-        let height =
-            columns.height.filter(|column| !is_none(field(*column))).map(|column| coordinate(Axis::Height, column)).transpose()?;
+        let height = columns.height.filter(|column| !is_none(field(*column)) && !self.has_unknown_side(record));
+        let height = height.map(|column| coordinate(Axis::Height, column)).transpose()?;
         Ok(Some(ImagePositionRow { image, place, height, standard_errors, line }))
     }
 }
@@ -447,7 +458,7 @@ mod tests {
             ("a,E,49.99,W,8.5,171.5,0", "'E' for GPSLatitudeRef beside '49.99' in line 2"),
             ("a,,49.99,W,8.5,171.5,0", "'' for GPSLatitudeRef"),
             ("a,N,-49.99,W,8.5,171.5,0", "'N' for GPSLatitudeRef beside '-49.99'"),
-            ("a,N,49.99,E,8.5,171.5,3", "'3' for GPSAltitudeRef beside '171.5'"),
+            ("a,N,49.99,E,8.5,-171.5,2", "'2' for GPSAltitudeRef beside '-171.5'"),
             ("a,N,49.99 X,E,8.5,171.5,0", "'49.99 X' for GPSLatitude in line 2; allowed: finite numbers (as ExifTool writes them with -n)"),
         ] {
             let refused = message(&format!("{head}{row}\n"));
@@ -551,5 +562,13 @@ mod tests {
         }
         let without = "image,x,y,height accuracy,yaw\na.jpg,446833.25,5594521.5,1.5,91\n";
         assert_eq!(position_head(without).unwrap().unread_height, None);
+    }
+
+    #[test]
+    fn heights_on_an_unknown_side_of_sea_level_are_left_out_and_counted() {
+        let head = "SourceFile,GPSLatitude,GPSLongitude,GPSAltitude,GPSAltitudeRef\n";
+        let text = format!("{head}a.jpg,50.5,8.25,171.5,2\nb.jpg,50.5,8.25,3,Negative Sea Level (sea-level ref)\nc.jpg,50.5,8.25,3,4\n");
+        assert_eq!(read(&text).rows.iter().map(|row| row.height).collect::<Vec<_>>(), [Some(171.5), Some(-3.0), None]);
+        assert_eq!(position_head(&text).unwrap().unread_height, Some(("GPSAltitudeRef".into(), 1)));
     }
 }
