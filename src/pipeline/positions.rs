@@ -160,8 +160,10 @@ impl PositionTable {
         let named = NamedImages::new(images);
         let rows = &self.positions.rows;
         // A row that means an image less surely than another one is of a file beside it.
-        let own: Vec<usize> = self.rows_of(images).unwrap_or_default().into_iter().flatten().map(|row| row.line).collect();
-        let others: Vec<String> = rows.iter().filter(|row| !own.contains(&row.line)).map(|row| row.image.clone()).collect();
+        let own = self.rows_of(images).map(|own| own.into_iter().flatten().map(|row| row.line).collect::<Vec<usize>>());
+        // Of a table that is refused nothing is known of other images.
+        let is_other = |row: &&ImagePositionRow| own.as_ref().is_ok_and(|own| !own.contains(&row.line));
+        let others: Vec<String> = rows.iter().filter(is_other).map(|row| row.image.clone()).collect();
         let nowhere = self.head.nowhere.iter().filter_map(|name| named.find(name)).map(|image| images[image].clone());
         let nowhere: Vec<ImpossiblePosition> =
             nowhere.map(|name| ImpossiblePosition { name, value: crate::camera::NOWHERE.into() }).collect();
@@ -301,5 +303,12 @@ mod tests {
         // The origin of a system is a place.
         let plane = PositionTable::read("image,easting,northing\nIMG_1.JPG,0,0\nIMG_2.JPG,1000,1000\n").unwrap();
         assert!(plane.positions(&images(), &placing("+proj=tmerc +lat_0=50 +lon_0=8 +datum=WGS84")).unwrap()[0].is_some());
+    }
+
+    #[test]
+    fn nothing_is_said_of_other_images_where_an_image_comes_twice() {
+        let table = PositionTable::read("image,lat,lon\nIMG_1.JPG,50,8\nIMG_1.JPG,50,8.1\n").unwrap();
+        assert!(table.positions(&images(), &placing("")).is_err());
+        assert_eq!(table.remarks(&images()), []);
     }
 }
