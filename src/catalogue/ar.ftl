@@ -555,7 +555,10 @@ block-warning-positions-elsewhere =
         [one] يسجله ملف صورة واحدة
        *[other] تسجله ملفات الصور في الوسيط، وعددها { $images }
     }. { $place_slip ->
-        [none] هل هي مواضع هذه الصور، وفي النظام المذكور؟
+        [none] { $in_crs ->
+            [true] هل هي مواضع هذه الصور وفي النظام المذكور، أم أن مواضع الملفات خاطئة؟
+           *[false] هل هي مواضع هذه الصور، أم أن مواضع الملفات خاطئة؟
+        }
        *[other] { $place_slip }
     }
 block-warning-position-errors-undetermined =

@@ -1038,7 +1038,10 @@ block-warning-positions-elsewhere =
         [one] the file of 1 image records
        *[other] the files of { $images } images record, in the median
     }. { $place_slip ->
-        [none] Are they of these images, and in the system that is named?
+        [none] { $in_crs ->
+            [true] Are they of these images and in the system that is named, or are those of the files wrong?
+           *[false] Are they of these images, or are those of the files wrong?
+        }
        *[other] { $place_slip }
     }
 block-warning-position-errors-undetermined =
