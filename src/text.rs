@@ -68,8 +68,7 @@ impl Records {
     /// # Errors
     /// [`Error::InvalidInput`] with the first such row.
     pub(crate) fn check_thousands(&self, rows: &[NumberedRecord], columns: &[usize]) -> Result<(), Error> {
-        let with_commas =
-            |record: &'_ StringRecord| columns.iter().filter_map(|column| record.get(*column)).any(is_decimal_comma);
+        let with_commas = |record: &'_ StringRecord| columns.iter().filter_map(|column| record.get(*column)).any(is_decimal_comma);
         let is_clear = |record: &StringRecord| columns.iter().filter_map(|column| record.get(*column)).any(is_clearly_decimal);
         let first = rows.iter().find(|(_, record)| with_commas(record));
         let may_be = !self.has_commas() && self.separator != b';' && !rows.iter().any(|(_, record)| is_clear(record));

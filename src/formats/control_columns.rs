@@ -267,7 +267,8 @@ pub(super) fn meanings(record: &StringRecord) -> Vec<Option<Column>> {
     };
     let (of_h, of_v) = (of_axis("h"), of_axis("v"));
     // Beside one of the vertical, as `HRMS` and `VRMS`, it is the horizontal.
-    let beside_both = found.contains(&Some(Column::ErrorX)) && found.contains(&Some(Column::ErrorY)) && !found.contains(&Some(Column::ErrorUp));
+    let beside_both =
+        found.contains(&Some(Column::ErrorX)) && found.contains(&Some(Column::ErrorY)) && !found.contains(&Some(Column::ErrorUp));
     let (h_is, v_is) = match () {
         () if !of_v.is_empty() && !of_h.is_empty() => (Some(Column::ErrorAcross), Some(Column::ErrorUp)),
         () if beside_both => (Some(Column::ErrorUp), None),
@@ -300,7 +301,15 @@ pub(super) struct Columns {
 impl Default for Columns {
     fn default() -> Self {
         let standard_errors = Some(([4, 4], 5));
-        Self { name: 0, position: [1, 2, 3], standard_errors, error_units_m: [1.0; 3], uses: Uses::default(), sigma_px: None, is_geographic: false }
+        Self {
+            name: 0,
+            position: [1, 2, 3],
+            standard_errors,
+            error_units_m: [1.0; 3],
+            uses: Uses::default(),
+            sigma_px: None,
+            is_geographic: false,
+        }
     }
 }
 

@@ -36,7 +36,8 @@ impl Axis {
         let small = field.to_lowercase();
         let strip = |word: &str| small.strip_suffix(word).or_else(|| small.strip_prefix(word).filter(|_| self != Self::Height));
         // The numbers of EXIF stand in columns of their own alone.
-        let words = |side: usize| self.sides()[side].iter().copied().filter(|word| !word.starts_with(|letter: char| letter.is_ascii_digit()));
+        let words =
+            |side: usize| self.sides()[side].iter().copied().filter(|word| !word.starts_with(|letter: char| letter.is_ascii_digit()));
         let found = (0..2).find_map(|side| words(side).find_map(strip).map(|bare| (bare.trim(), side == 1)));
         let (bare, is_negative) = found.map_or((small.as_str(), None), |(bare, is_negative)| (bare, Some(is_negative)));
         let value = match self {

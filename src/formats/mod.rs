@@ -44,7 +44,9 @@ pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 pub use colmap_read::read_colmap_model;
 pub(crate) use columns::{LENGTHS, UnreadColumns};
 pub use control::{GroundControlRow, parse_ground_control_points};
-pub(crate) use control::{StatedUnit, control_system, error_columns, ground_control_table, points_without_coordinates, stated_units, unread_columns};
+pub(crate) use control::{
+    StatedUnit, control_system, error_columns, ground_control_table, points_without_coordinates, stated_units, unread_columns,
+};
 pub(crate) use csv_tables::{images_table, points_table, rays_table};
 pub(crate) use error_columns::ErrorColumns;
 pub use export::{ExportFormat, export_block};

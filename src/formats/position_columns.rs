@@ -3,7 +3,9 @@
 use super::column_units::unit_m;
 use super::columns::{IMAGES, UnreadColumns, letters, others, without_unit};
 use super::control::StatedUnit;
-use super::control_columns::{Column, Coordinates, check_unit, coordinates_of, is_ellipsoidal, looks_like_height, meaning_of, meanings, names_of};
+use super::control_columns::{
+    Column, Coordinates, check_unit, coordinates_of, is_ellipsoidal, looks_like_height, meaning_of, meanings, names_of,
+};
 use super::error_columns::ErrorColumns;
 use super::hemispheres::Axis;
 use super::whole_numbers::NumberColumns;

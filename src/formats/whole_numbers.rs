@@ -44,7 +44,11 @@ impl NumberColumns {
         if !rows.iter().all(|(_, record)| may_be_cut(record)) {
             return Ok(());
         }
-        let begins_with_zero = |record: &StringRecord| self.read.iter().any(|column| record.get(*column).is_some_and(|field| has_leading_zero(field) && records.number(field).is_some()));
+        let begins_with_zero = |record: &StringRecord| {
+            self.read
+                .iter()
+                .any(|column| record.get(*column).is_some_and(|field| has_leading_zero(field) && records.number(field).is_some()))
+        };
         let error = |record: &StringRecord, column: usize| record.get(column).and_then(|field| records.number(field)).unwrap_or(0.0);
         let is_large = |record: &StringRecord| self.errors.iter().any(|(column, unit_m)| unit_m * error(record, *column) >= LEAST_FIGURES);
         let read: BTreeSet<usize> = self.read.iter().copied().chain(self.errors.iter().map(|(column, _)| *column)).collect();

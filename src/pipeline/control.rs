@@ -4,7 +4,10 @@ use super::named_images::NamedImages;
 use super::system::{check_stated_units, looks_like_degrees, system_of, units_of, with_unit};
 use crate::crs::{CoordinateSystem, Definition, HeightZero};
 use crate::error::refuse;
-use crate::formats::{ErrorColumns, StatedUnit, SystemLine, UnreadColumns, control_system, error_columns, points_without_coordinates, stated_units, unread_columns};
+use crate::formats::{
+    ErrorColumns, StatedUnit, SystemLine, UnreadColumns, control_system, error_columns, points_without_coordinates, stated_units,
+    unread_columns,
+};
 use crate::{
     BlockDescription, ControlRole, Error, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
     ImageObservation, Input, KnownCamera, KnownImage, ObservedPosition, Refusal, parse_ground_control_points, parse_image_measurements,

@@ -285,7 +285,11 @@ mod tests {
             (utm, "EPSG:25832", "'WGS84 UTM 32N' in line 1 beside ETRS89"),
             (utm, "", "'WGS84 UTM 32N' in line 1 and no other; allowed: positions in the coordinate system of the block (--crs)"),
             ("EPSG:32632\nIMG_1.JPG 8.25 50.5 171.5\n", "EPSG:32632", "'EPSG:32632' in line 1"),
-            ("EPSG:99999\nIMG_1.JPG 446833.2 5594521.7 171.5\n", "EPSG:32632", "image positions: got the coordinate system 'EPSG:99999' in line 1"),
+            (
+                "EPSG:99999\nIMG_1.JPG 446833.2 5594521.7 171.5\n",
+                "EPSG:32632",
+                "image positions: got the coordinate system 'EPSG:99999' in line 1",
+            ),
             ("EPSG:4314\nIMG_1.JPG 8.25 50.5 171.5\n", "", "or longitudes and latitudes of WGS 84"),
         ] {
             let told = refused(text, crs);

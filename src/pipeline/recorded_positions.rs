@@ -60,7 +60,8 @@ mod tests {
     fn told(crs: &str, given: impl Fn([f64; 2]) -> [f64; 2]) -> String {
         let recorded = (0..6).map(|k| [8.0 + 0.001 * f64::from(k % 3), 50.0 + 0.001 * f64::from(k / 3)]);
         let both: Vec<Both> = recorded.map(|recorded| Both { given: given(recorded), recorded }).collect();
-        elsewhere(&both, both.len(), crs != GEOGRAPHIC, || Definition::read(crs).ok()).map_or_else(String::new, |warning| warning.to_string())
+        elsewhere(&both, both.len(), crs != GEOGRAPHIC, || Definition::read(crs).ok())
+            .map_or_else(String::new, |warning| warning.to_string())
     }
 
     #[test]
