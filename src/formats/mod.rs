@@ -35,6 +35,8 @@ mod quaternion;
 mod sight;
 mod system_line;
 #[cfg(test)]
+mod table_forms;
+#[cfg(test)]
 mod tests;
 mod text;
 mod whole_numbers;

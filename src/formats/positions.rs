@@ -539,36 +539,4 @@ mod tests {
             assert!(refused.contains(named), "{text}: {refused}");
         }
     }
-
-    #[test]
-    fn heights_are_read_under_many_names_or_it_is_said_that_they_are_not() {
-        for name in [
-            "Höhe [m NHN]",
-            "Elevation (NAVD88)",
-            "AbsoluteAltitude",
-            "Hauteur ellipsoïdale",
-            "Altitude ellipsoïdale",
-            "Altura elipsoidal",
-            "Ellip. Hgt.",
-        ] {
-            let text = format!("image,x,y,{name}\na.jpg,446833.25,5594521.5,171.5\n");
-            assert_eq!(read(&text).rows[0].height, Some(171.5), "{name}");
-            assert_eq!(position_head(&text).unwrap().unread_height, None, "{name}");
-        }
-        for name in ["Height (rod)", "Antenna height", "h (ft/10)"] {
-            let text = format!("image,x,y,{name}\na.jpg,446833.25,5594521.5,171.5\n");
-            assert_eq!(read(&text).rows[0].height, None, "{name}");
-            assert_eq!(position_head(&text).unwrap().unread_height, Some((name.into(), 1)), "{name}");
-        }
-        let without = "image,x,y,height accuracy,yaw\na.jpg,446833.25,5594521.5,1.5,91\n";
-        assert_eq!(position_head(without).unwrap().unread_height, None);
-    }
-
-    #[test]
-    fn heights_on_an_unknown_side_of_sea_level_are_left_out_and_counted() {
-        let head = "SourceFile,GPSLatitude,GPSLongitude,GPSAltitude,GPSAltitudeRef\n";
-        let text = format!("{head}a.jpg,50.5,8.25,171.5,2\nb.jpg,50.5,8.25,3,Negative Sea Level (sea-level ref)\nc.jpg,50.5,8.25,3,4\n");
-        assert_eq!(read(&text).rows.iter().map(|row| row.height).collect::<Vec<_>>(), [Some(171.5), Some(-3.0), None]);
-        assert_eq!(position_head(&text).unwrap().unread_height, Some(("GPSAltitudeRef".into(), 1)));
-    }
 }
