@@ -62,14 +62,19 @@ impl Records {
         has_thousands(field).then(|| refusal().into_error())
     }
 
-    /// Refuses numbers with commas all of which may stand before thousands, between tabs and blanks: semicolons separate where commas are decimal ones.
+    /// Refuses numbers with commas all of which may stand before thousands, between tabs, blanks and commas: semicolons separate where commas are decimal ones.
+    /// `columns`: those whose numbers are read; a code or a remark beside them says nothing of these.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] with the first such row.
-    pub(crate) fn check_thousands(&self) -> Result<(), Error> {
-        let fields = || self.rows.iter().flat_map(|(_, record)| record.iter()).filter(|field| is_decimal_comma(field));
-        let first = self.rows.iter().find(|(_, record)| record.iter().any(is_decimal_comma));
-        match first.filter(|_| !self.has_commas() && self.separator != b';' && !fields().any(is_clearly_decimal)) {
+    pub(crate) fn check_thousands(&self, rows: &[NumberedRecord], columns: &[usize]) -> Result<(), Error> {
+        let with_commas = |record: &StringRecord| columns.iter().filter_map(|column| record.get(*column)).any(is_decimal_comma);
+        let is_clear = |record: &StringRecord| columns.iter().filter_map(|column| record.get(*column)).any(is_clearly_decimal);
+        let first = rows.iter().find(|(_, record)| with_commas(record));
+        // Between commas, in quotes, none is read as decimal unless any number of the table shows that.
+        let are_read = !self.has_commas() || self.has_decimal_commas;
+        let may_be = are_read && self.separator != b';' && !rows.iter().any(|(_, record)| is_clear(record));
+        match first.filter(|_| may_be) {
             Some((line, record)) => refuse(Refusal::ThousandsCommas { input: self.input, record: self.shown(record), line: *line }),
             None => Ok(()),
         }
@@ -132,6 +137,11 @@ fn plain(text: &str) -> Cow<'_, str> {
 
 /// The Arabic semicolon and comma.
 const ARABIC: [char; 2] = ['\u{61b}', '\u{60c}'];
+
+/// Whether a cell of numbers holds none: it is empty, or has a dash for that.
+pub(crate) fn is_none(field: &str) -> bool {
+    matches!(field, "" | "-" | "–" | "—")
+}
 
 /// How many fields a record has up to the last one that holds something: spreadsheets write empty ones behind it.
 pub(crate) fn filled(record: &StringRecord) -> usize {

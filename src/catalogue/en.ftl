@@ -395,10 +395,15 @@ refusal-head-unit = { $input }: got the column '{ $column }' in { $given_in }; a
 refusal-control-error-column = the table of control points: got the column '{ $column }' without the other standard errors; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-control-error-unit = the table of control points: got the column '{ $column }', in a unit that is not known; allowed: standard errors in { $units }
 refusal-control-numbers = the table of control points: got { $numbers } numbers behind the name in line { $line } ('{ $record }') and no names of columns; allowed: x, y, z; these and both standard errors, of place and of height; or these and those of x, y and height, each above 0 and up to { $most_m } m. Decimal commas are read between semicolons, tabs or blanks
-refusal-decimal-commas = { $input }: got '{ $record }' in line { $line }, whose commas separate columns, and may be meant as decimal commas; allowed: decimal points, or columns between semicolons, tabs or blanks
+refusal-control-lone-error = the table of control points: got one number, '{ $word }', behind the coordinates in line { $line } and no names of columns; allowed: both standard errors, of place and of height, or a line that names the columns
+refusal-decimal-commas = { $input }: got '{ $record }' in line { $line }, whose commas separate columns, and may be meant as decimal commas; allowed: decimal points, in one of the numbers at least (1024.0 for 1024), or columns between semicolons, tabs or blanks
 refusal-thousands = { $input }: got '{ $word }' for { $column } in line { $line }, which seems to have signs before its thousands; allowed: numbers without them
 refusal-thousands-commas = { $input }: got '{ $record }' in line { $line }, where no number of the table says whether commas stand before thousands or are decimal commas; allowed: decimal points, and no signs before thousands
-refusal-column-unit = { $input }: got the column '{ $column }', in a unit that is not known; allowed: degrees or { $units }
+refusal-column-unit =
+    { $input }: got the column '{ $column }', in a unit that is not known; allowed: { $degrees ->
+        [true] degrees or { $units }
+       *[false] { $units }
+    }
 refusal-system-line = { $input }: got the first line '{ $words }', as tables of OpenDroneMap begin; allowed: lines of name, x, y, z of points in one table and of image, point, x, y of their measurements in another, and the coordinate system by itself (--crs)
 refusal-control-number = the table of control points: got '{ $word }' for { $column } in line { $line }; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
 refusal-control-name = the table of control points: got the name '{ $name }' in line { $line }, which is empty or comes twice; allowed: lines of name, x, y, z and perhaps both standard errors, of place and of height
@@ -444,6 +449,11 @@ refusal-control-place =
        *[false] easting as x and northing as y in the unit of this system
     }
 refusal-control-degrees = ground control point { $point }: got ({ $x }, { $y }), which look like degrees; allowed: easting as x and northing as y, as { $crs } has them
+refusal-control-system =
+    the table of control points: got the coordinate system '{ $words }' in line { $line } { $crs ->
+        [none] and no other
+       *[other] beside { $crs }
+    }; allowed: points in the coordinate system of the block (--crs)
 refusal-position-system =
     the table of image positions: got the coordinate system '{ $words }' in line { $line } { $crs ->
         [none] and no other
@@ -1028,7 +1038,10 @@ block-warning-positions-elsewhere =
         [one] the file of 1 image records
        *[other] the files of { $images } images record, in the median
     }. { $place_slip ->
-        [none] Are they of these images, and in the system that is named?
+        [none] { $in_crs ->
+            [true] Are they of these images and in the system that is named, or are those of the files wrong?
+           *[false] Are they of these images, or are those of the files wrong?
+        }
        *[other] { $place_slip }
     }
 block-warning-position-errors-undetermined =
@@ -1350,6 +1363,11 @@ remark-unknown-position-columns =
     columns of the table of image positions are not understood and not read: { $columns }{ $columns_more ->
         [0] {""}
        *[other] {" "}and { $columns_more } more
+    }
+remark-position-heights =
+    the column '{ $column }' of the table of image positions is not understood, and heights are not read for { $positions ->
+        [one] 1 position
+       *[other] { $positions } positions
     }
 remark-doubled-position-columns =
     columns of the table of image positions give what another column gives (in brackets) and are not read: { $columns }{ $columns_more ->

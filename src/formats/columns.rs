@@ -9,7 +9,7 @@ pub(crate) const LENGTHS: [(&str, f64); 6] =
     [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("ft", 0.3048), ("us-ft", 1200.0 / 3937.0), ("km", 1000.0)];
 
 /// The names of the column of images here and in other programs, in letters alone. The first of them that a table has is read.
-pub(super) const IMAGES: &str = "image photo picture sourcefile filename imagename file photoname imagefile imagelabel img bild bildname foto bilddatei dateiname datei imagen immagine imagem الصورة صورة";
+pub(super) const IMAGES: &str = "image photo picture sourcefile filename imagename file photoname imagefile imagelabel img bild bildname foto bilddatei dateiname datei imagen immagine imagem nomdel'image nomdel’image nomdelimage nomimage الصورة صورة اسمالصورة";
 
 /// The columns of a table that are not read.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -59,9 +59,13 @@ pub(super) fn without_unit<'a>(name: &str, units: &[&'a str]) -> (String, Option
     units.iter().find_map(|unit| cut(unit)).unwrap_or_else(|| (small.clone(), None))
 }
 
-/// A name of letters alone.
+/// A name of letters alone, without the sign for a number behind it.
 pub(super) fn letters(name: &str) -> String {
-    name.chars().filter(|letter| !matches!(letter, '_' | '-' | ' ' | '.' | '/')).collect()
+    let letters: String = name.chars().filter(|letter| !matches!(letter, '_' | '-' | ' ' | '.' | '/')).collect();
+    match letters.strip_suffix('#').filter(|bare| !bare.is_empty()) {
+        Some(bare) => bare.into(),
+        None => letters,
+    }
 }
 
 /// Some further names of a column than the first of these, which blanks separate, for a message.
@@ -88,6 +92,6 @@ mod tests {
         ] {
             assert_eq!(without_unit(name, &units), (bare.to_string(), unit), "{name}");
         }
-        assert_eq!(letters("point no./id"), "pointnoid");
+        assert_eq!(["point no./id", "pt #", "#"].map(letters), ["pointnoid", "pt", "#"]);
     }
 }

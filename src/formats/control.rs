@@ -1,10 +1,13 @@
 //! Reading surveyed points: control and check points of a block.
 
+use super::column_units::{Unit, named};
 use super::columns::UnreadColumns;
-use super::control_columns::{Columns, Layout, Unit, meanings, named};
+use super::control_columns::{Columns, Layout, meanings};
 use super::error_columns::ErrorColumns;
+use super::hemispheres::Axis;
+use super::system_line::SystemLine;
 use crate::error::refuse;
-use crate::text::{Records, Row, records, shorten, table};
+use crate::text::{Records, Row, is_none, records, shorten, table};
 use crate::{ControlRole, Error, Input, Refusal};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
@@ -37,7 +40,7 @@ fn control() -> Option<ControlRole> {
 /// Numbers may have a decimal comma where commas do not separate, and in quotes. A line that names columns may come before them, below a title and above a line of units, in any order, in capitals or not: name, x, y, z, standard errors of place and height,
 /// of image measurements in px, and use (`control`, `check` or `off`, or what other programs write for them), each by one of many names in several languages, with `(m)` behind it or not; a run reports those that it
 /// does not read, and refuses coordinates whose name has another unit than their system. Standard errors in another unit are converted to m. A comment directly above rows of numbers is such a line where it names name, x, y and z, as Metashape writes it. Of standard errors of x and y the larger one counts; one without an axis, as `accuracy`, is that of all three. `up` is the height, or its
-/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files, or have the standard errors of x, y and height behind them; a fifth and last one of words, or of whole numbers from 10 on behind coordinates with a point, is a code and no standard error. Points without any coordinate, as other programs list those that were not surveyed, are skipped. Blank lines and lines that begin with `#` are skipped.
+/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files, or have the standard errors of x, y and height behind them; a fifth one of words, or a fifth and last one of whole numbers behind coordinates with a point, is a code and no standard error. Points without any coordinate, as other programs list those that were not surveyed, are skipped; a dash stands for none, too. Columns of longitude and latitude may have the letters of hemispheres, and minutes and seconds. Blank lines and lines that begin with `#` are skipped.
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line, for numbers that are none, standard errors that are not above 0, a name that comes twice, and fields that may be parts of numbers with decimal commas.
@@ -115,6 +118,14 @@ pub(crate) fn stated_units(text: &str) -> Result<Vec<StatedUnit>, Error> {
     Ok(names.map(|names| StatedUnit::of(&names, [x, y], Some(z))).unwrap_or_default())
 }
 
+/// The coordinate system that the table names for itself above the names of its columns.
+///
+/// # Errors
+/// As [`parse_ground_control_points`].
+pub(crate) fn control_system(text: &str) -> Result<Option<SystemLine>, Error> {
+    Ok(SystemLine::of(&records(Input::ControlTable, text)?))
+}
+
 /// The columns of standard errors that say no unit.
 ///
 /// # Errors
@@ -144,8 +155,12 @@ fn read_point(
         return refuse(Refusal::ControlName { name: shorten(&name), line });
     }
     let [x, y, z] = columns.position;
-    let position = [number(x, "x")?, number(y, "y")?, number(z, "z")?];
-    let given = columns.standard_errors.filter(|([x, y], z)| [x, y, z].iter().any(|column| !field(**column).is_empty()));
+    let coordinate = |axis: Axis, column: usize, what: &str| match axis.read(field(column), |text| records.number(text)) {
+        Some(value) if columns.is_geographic => Ok(value),
+        _ => number(column, what),
+    };
+    let position = [coordinate(Axis::Longitude, x, "x")?, coordinate(Axis::Latitude, y, "y")?, number(z, "z")?];
+    let given = columns.standard_errors.filter(|([x, y], z)| [x, y, z].iter().any(|column| !is_none(field(**column))));
     let standard_errors = match given {
         Some(([x, y], z)) => {
             let [unit_x, unit_y, unit_z] = columns.error_units_m;
@@ -158,7 +173,7 @@ fn read_point(
         return refuse(Refusal::ControlErrors { errors: format!("{errors:?}"), line });
     }
     let role = columns.uses.read(record, line)?;
-    let sigma_px = columns.sigma_px.filter(|column| !field(*column).is_empty()).map(|column| number(column, "sigma_px")).transpose()?;
+    let sigma_px = columns.sigma_px.filter(|column| !is_none(field(*column))).map(|column| number(column, "sigma_px")).transpose()?;
     if let Some(sigma) = sigma_px.filter(|sigma| !(*sigma > 0.0)) {
         return refuse(Refusal::ControlErrors { errors: sigma.to_string(), line });
     }
@@ -224,11 +239,8 @@ mod tests {
         assert!(message("A,1,2,3\nB,1,2,inf\n").contains("'inf' for z in line 2"));
         assert!(message("A,1,2,3\nA,1,2,3\n").contains("the name 'A' in line 2"));
         assert!(message("A,1,2,3,0,1\n").contains("not above 0"));
-        assert!(
-            message("A,1,2,3,0.1\n").contains("'' for sigma_z in line 1; allowed: lines of name, x, y, z and perhaps both"),
-            "{}",
-            message("A,1,2,3,0.1\n")
-        );
+        let lone = message("A,1,2,3,0.1\n");
+        assert!(lone.contains("got one number, '0.1', behind the coordinates in line 1") && lone.contains("a line that names"), "{lone}");
         assert!(message("name,x,y,z\n,1,2,3\n").contains("the name ''"));
     }
 
@@ -326,9 +338,18 @@ mod tests {
                 "{text}"
             );
         }
+        for code in ["0", "5"] {
+            let coded = format!("1,5594521.7,446833.2,124.0,{code}\n");
+            assert_eq!(parse_ground_control_points(&coded).unwrap()[0].standard_errors, None, "{code}");
+            assert_eq!(unread_columns(&coded).unwrap().unknown, ["#5"]);
+        }
+        let noted = "1,5594521.7,446833.2,124.0,TP,note\n2,5594521.7,446833.2,124.0,,\n";
+        assert_eq!(parse_ground_control_points(noted).unwrap()[0].standard_errors, None);
+        assert_eq!(unread_columns(noted).unwrap().unknown, ["#6"]);
         // Whole coordinates may be cut, and a small number may be a standard error.
-        assert!(message("101,1040,5,2040,116\n").contains("decimal commas") || message("101,1040,5,2040,116\n").contains("'' for sigma_z"));
-        assert!(message("1,5594521.7,446833.2,124.0,5\n").contains("'' for sigma_z in line 1"));
+        for lone in ["101,1040,5,2040,116\n", "1,5594521.7,446833.2,124.0,0.02\n", "A,1.5,2,3,0.02,0.03\nB,1,2,3,0.02\n"] {
+            assert!(message(lone).contains("got one number, '"), "{lone}: {}", message(lone));
+        }
         // A slip is none.
         assert!(message("A,1,2,3,0.O2,0.03\n").contains("'0.O2' for sigma_xy in line 1"));
         assert!(message("A,1,2,3,x,0.03\nB,1,2,3,0.02,0.03\n").contains("'x' for sigma_xy in line 1"));

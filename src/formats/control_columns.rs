@@ -1,12 +1,13 @@
 //! What the columns of a table of control points hold, by their names or by their order.
 
-use super::columns::{LENGTHS, letters, others, without_unit};
+use super::column_units::{Unit, in_brackets, named, unit_m, units, without_other_unit, without_reference};
+use super::columns::{LENGTHS, letters, others};
 use super::control_order::errors_in_order;
 use super::control_use::Uses;
 use super::system_line::SystemLine;
 use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
-use crate::text::{Headed, Records, shorten};
+use crate::text::{Headed, Records, is_none, shorten};
 use crate::{Error, Refusal};
 use csv::StringRecord;
 use std::collections::BTreeSet;
@@ -42,20 +43,21 @@ const NAMES: [(Column, &str); 9] = [
     (
         Column::X,
         "x e east easting longitude lon rechtswert ost xeasting long xlongitude rechts ostwert eastings \
-         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine coordenadax xcoordinate coordinatex xcoord coordx \
+         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine coordenadax xcoordinate coordinatex xcoord coordx locale localeast localeasting utmost utmeast utmeasting utmrechtswert \
          الشرق شرق الشرقيات شرقيات خطالطول خططول",
     ),
     (
         Column::Y,
         "y n north northing latitude lat hochwert nord ynorthing ylatitude hoch nordwert northings \
-         breite gpslatitude ylat norte latitud latitudine coordenaday ycoordinate coordinatey ycoord coordy \
+         breite gpslatitude ylat norte latitud latitudine coordenaday ycoordinate coordinatey ycoord coordy localn localnorth localnorthing utmnord utmnorth utmnorthing utmhochwert \
          الشمال شمال الشماليات شماليات خطالعرض خطعرض دائرةالعرض",
     ),
     (
         Column::Z,
         // With the sign for a letter that was not in UTF-8, too.
         "z h height elevation altitude elev höhe alt zaltitude zelevation zheight hoehe h\u{fffd}he orthometricheight orthoheight ellipsoidalheight \
-         ellipsoidheight ellheight hell ellipsoidischehöhe ellipsoidischehoehe heightellipsoidal gpsaltitude zalt up \
+         ellipsoidheight ellheight hell elliphgt elliphht ellhgt ellipheight ellipsoidalhgt ellipsoidischehöhe ellipsoidischehoehe heightellipsoidal gpsaltitude absolutealtitude hauteurellipsoïdale hauteurellipsoidale altitudeellipsoïdale \
+         altitudeellipsoidale alturaelipsoidal quotaellissoidica localh localheight nhnhöhe nhnhoehe nnhöhe hgt zalt up \
          cota quota cote hauteur altura altitud altitudine coordenadaz zcoordinate coordinatez zcoord coordz elevación elevacion elevação الارتفاع ارتفاع المنسوب منسوب",
     ),
     (Column::ErrorAcross, "across acch"),
@@ -66,7 +68,7 @@ const NAMES: [(Column, &str); 9] = [
 ];
 
 /// The words for a standard error, bare or with an axis before or behind them. `error` is none: other programs call residuals that.
-const ERRORS: [&str; 14] = [
+const ERRORS: [&str; 18] = [
     "sigma",
     "accuracy",
     "acc",
@@ -81,66 +83,24 @@ const ERRORS: [&str; 14] = [
     "standarddeviation",
     "genauigkeit",
     "standardabweichung",
+    "stdabw",
+    "précision",
+    "ecarttype",
+    "écarttype",
 ];
 
 /// The axes of standard errors. `h` is none: it is height in one program, horizontal in the next.
-const AXES: [(Column, &[&str]); 5] = [
+const AXES: [(Column, &[&str]); 6] = [
+    (Column::ErrorAll, &["xyz"]),
     (Column::ErrorAcross, &["xy", "horizontal", "horz", "hor", "lage", "plan", "lateral", "across", "en"]),
-    (Column::ErrorX, &["x", "e", "east", "easting", "longitude", "lon"]),
-    (Column::ErrorY, &["y", "n", "north", "northing", "latitude", "lat"]),
+    (Column::ErrorX, &["x", "e", "east", "easting", "longitude", "lon", "ost", "rechts", "rechtswert"]),
+    (Column::ErrorY, &["y", "n", "north", "northing", "latitude", "lat", "nord", "hoch", "hochwert"]),
     (
         Column::ErrorUp,
         &["z", "vertical", "vert", "u", "höhe", "hoehe", "höhen", "hoehen", "up", "height", "altitude", "alt", "elevation", "elev"],
     ),
     (Column::ErrorPx, &["px", "image"]),
 ];
-
-/// The unit that the name of a column has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Unit {
-    Degrees,
-    Length(&'static str),
-}
-
-/// Units as tables write them.
-const UNITS: [(&str, Unit); 29] = [
-    ("m", Unit::Length("m")),
-    ("metre", Unit::Length("m")),
-    ("metres", Unit::Length("m")),
-    ("meter", Unit::Length("m")),
-    ("meters", Unit::Length("m")),
-    ("decimal degrees", Unit::Degrees),
-    ("decimal degree", Unit::Degrees),
-    ("deg", Unit::Degrees),
-    ("degree", Unit::Degrees),
-    ("degrees", Unit::Degrees),
-    ("°", Unit::Degrees),
-    ("us-ft", Unit::Length("us-ft")),
-    ("us ft", Unit::Length("us-ft")),
-    ("us_ft", Unit::Length("us-ft")),
-    ("usft", Unit::Length("us-ft")),
-    ("ussft", Unit::Length("us-ft")),
-    ("ftus", Unit::Length("us-ft")),
-    ("sft", Unit::Length("us-ft")),
-    ("us survey feet", Unit::Length("us-ft")),
-    ("us survey foot", Unit::Length("us-ft")),
-    ("ift", Unit::Length("ft")),
-    ("international feet", Unit::Length("ft")),
-    ("international foot", Unit::Length("ft")),
-    ("ft", Unit::Length("ft")),
-    ("feet", Unit::Length("ft")),
-    ("foot", Unit::Length("ft")),
-    ("mm", Unit::Length("mm")),
-    ("cm", Unit::Length("cm")),
-    ("km", Unit::Length("km")),
-];
-
-/// A name in small letters, and the unit behind it, where there is one.
-pub(super) fn named(name: &str) -> (String, Option<Unit>) {
-    let (bare, unit) = without_unit(name, &UNITS.map(|(unit, _)| unit));
-    let unit = unit.and_then(|unit| UNITS.iter().find(|(known, _)| *known == unit));
-    (bare, unit.map(|(_, unit)| *unit))
-}
 
 /// A name of letters alone: programs join its words in many ways.
 fn plain(name: &str) -> String {
@@ -173,7 +133,7 @@ pub(super) fn coordinates_of(name: &str) -> Coordinates {
 pub(super) fn is_ellipsoidal(name: &str) -> Option<bool> {
     let plain = plain(name);
     match () {
-        () if plain.contains("ell") => Some(true),
+        () if plain.contains("ell") || plain.contains("elipsoid") => Some(true),
         () if plain.contains("ortho") => Some(false),
         () => None,
     }
@@ -213,7 +173,11 @@ fn axis_in_words(joined: &str) -> Option<Option<(Column, usize)>> {
 pub(super) fn meaning_of(name: &str) -> Option<(Column, usize)> {
     let (joined, unit) = named(name);
     let plain = letters(&joined);
-    let listed = axis_in_words(&joined).unwrap_or_else(|| listed(&plain));
+    let of_reference = || {
+        let found = listed(&letters(without_reference(&joined)?))?;
+        matches!(found.0, Column::X | Column::Y | Column::Z).then_some(found)
+    };
+    let listed = axis_in_words(&joined).unwrap_or_else(|| listed(&plain).or_else(of_reference));
     match unit {
         None | Some(Unit::Length("m")) => {}
         Some(Unit::Degrees) => return listed.filter(|(column, _)| matches!(column, Column::X | Column::Y)),
@@ -251,25 +215,28 @@ fn has_unknown_error_unit(name: &str) -> bool {
             matches!(column, Column::ErrorAcross | Column::ErrorX | Column::ErrorY | Column::ErrorUp | Column::ErrorAll)
         })
     };
-    match joined.trim_end().strip_suffix([')', ']']).and_then(|inner| inner.rsplit_once(['(', '['])) {
-        Some((bare, inner)) => {
-            unit.is_none() && is_length_error(bare.trim_end()) && AXES.iter().all(|(_, axes)| !axes.contains(&inner.trim()))
-        }
+    match in_brackets(&joined) {
+        Some((bare, inner)) => unit.is_none() && is_length_error(bare) && AXES.iter().all(|(_, axes)| !axes.contains(&inner)),
         None => unit == Some(Unit::Degrees) && is_length_error(&joined),
     }
 }
 
 /// Refuses a column of coordinates that would be the wanted one but for a unit in brackets that is not known.
 pub(super) fn check_unit(records: &Records, names: &StringRecord, wanted: Column) -> Result<(), Error> {
-    let is_wanted = |name: &&str| {
-        let joined = named(name).0;
-        // A word for an axis, as `Ost (Nord)` has it, is no unit.
-        let parts = joined.trim_end().strip_suffix([')', ']']).and_then(|inner| inner.rsplit_once(['(', '[']));
-        let bare = parts.filter(|(_, unit)| listed(&letters(unit)).is_none()).map(|(bare, _)| letters(bare));
-        bare.and_then(|bare| listed(&bare)).is_some_and(|(column, _)| column == wanted)
-    };
+    let is_wanted = |name: &&str| without_other_unit(name).and_then(|bare| listed(&bare)).is_some_and(|(column, _)| column == wanted);
     let Some(name) = names.iter().find(is_wanted).filter(|_| matches!(wanted, Column::X | Column::Y | Column::Z)) else { return Ok(()) };
-    refuse(Refusal::ColumnUnit { input: records.input(), column: shorten(name), units: LENGTHS.map(|(unit, _)| unit).join(", ") })
+    let units = LENGTHS.map(|(unit, _)| unit).join(", ");
+    refuse(Refusal::ColumnUnit { input: records.input(), column: shorten(name), units, degrees: wanted != Column::Z })
+}
+
+/// Whether a name is rather one of heights, though it is not read as such.
+pub(super) fn looks_like_height(name: &str) -> bool {
+    let (joined, _) = named(name);
+    let bare = in_brackets(&joined).map_or(&joined[..], |(bare, _)| bare);
+    let is_height = |bare: &str| listed(&letters(bare)).is_some_and(|(column, _)| column == Column::Z);
+    let is_of_words = ["height", "hgt", "altitude", "elevation", "höhe", "hoehe", "hauteur", "altura"];
+    let is_error = ERRORS.iter().any(|word| letters(&joined).contains(word));
+    !is_error && (is_height(bare) || is_of_words.iter().any(|word| bare.contains(word)))
 }
 
 /// The names of a column, between blanks.
@@ -277,20 +244,8 @@ pub(super) fn names_of(column: Column) -> &'static str {
     NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known)
 }
 
-/// The units as tables write them.
-pub(super) fn units() -> Vec<&'static str> {
-    UNITS.iter().map(|(unit, _)| *unit).collect()
-}
-
-/// The unit of length that the name of a column has, in m: without one they are metres.
-pub(super) fn unit_m(name: &str) -> f64 {
-    match named(name).1 {
-        Some(Unit::Length(unit)) => LENGTHS.iter().find(|(known, _)| *known == unit).map_or(1.0, |(_, length_m)| *length_m),
-        Some(Unit::Degrees) | None => 1.0,
-    }
-}
-
-/// What each column of a line of names holds. `up` beside another height, where errors of the place but none of the height are named, is that error; so is `h` beside errors of both axes.
+/// What each column of a line of names holds. `up` beside another height, where errors of the place but none of the height are named, is that error; so is `h` beside errors of both axes;
+/// beside `v` it is the place.
 pub(super) fn meanings(record: &StringRecord) -> Vec<Option<Column>> {
     let mut found: Vec<Option<Column>> = record.iter().map(|name| meaning_of(name).map(|(column, _)| column)).collect();
     let is_up = |column: &usize| record.get(*column).is_some_and(|name| plain(name) == "up");
@@ -299,12 +254,34 @@ pub(super) fn meanings(record: &StringRecord) -> Vec<Option<Column>> {
     if has_height && lacks_error {
         (0..found.len()).filter(is_up).for_each(|column| found[column] = Some(Column::ErrorUp));
     }
-    let is_of_h =
-        |column: &usize| record.get(*column).is_some_and(|name| ERRORS.iter().any(|word| plain(name).strip_prefix(word) == Some("h")));
-    if found.contains(&Some(Column::ErrorX)) && found.contains(&Some(Column::ErrorY)) && !found.contains(&Some(Column::ErrorUp)) {
-        (0..found.len()).filter(is_of_h).for_each(|column| found[column] = Some(Column::ErrorUp));
+    // Numbers of points, where northings are in a column of their own.
+    let is_n = |column: usize| record.get(column).is_some_and(|name| plain(name) == "n");
+    let has_northings = found.iter().enumerate().any(|(column, is)| *is == Some(Column::Y) && !is_n(column));
+    if is_n(0) && has_northings && found[0] == Some(Column::Y) && !found.contains(&Some(Column::Name)) {
+        found[0] = Some(Column::Name);
     }
+    let of_axis = |axis: &str| -> Vec<usize> {
+        let is_of = |name: &str| ERRORS.iter().any(|word| name.strip_prefix(word) == Some(axis) || name.strip_suffix(word) == Some(axis));
+        let name = |column: &usize| record.get(*column).map(plain).unwrap_or_default();
+        (0..found.len()).filter(|column| found[*column].is_none() && named_in_metres(record, *column) && is_of(&name(column))).collect()
+    };
+    let (of_h, of_v) = (of_axis("h"), of_axis("v"));
+    // Beside one of the vertical, as `HRMS` and `VRMS`, it is the horizontal.
+    let beside_both =
+        found.contains(&Some(Column::ErrorX)) && found.contains(&Some(Column::ErrorY)) && !found.contains(&Some(Column::ErrorUp));
+    let (h_is, v_is) = match () {
+        () if !of_v.is_empty() && !of_h.is_empty() => (Some(Column::ErrorAcross), Some(Column::ErrorUp)),
+        () if beside_both => (Some(Column::ErrorUp), None),
+        () => (None, None),
+    };
+    of_h.into_iter().for_each(|column| found[column] = h_is);
+    of_v.into_iter().for_each(|column| found[column] = v_is);
     found
+}
+
+/// Whether the name of a column has no unit or one of length.
+fn named_in_metres(record: &StringRecord, column: usize) -> bool {
+    record.get(column).is_some_and(|name| named(name).1 != Some(Unit::Degrees))
 }
 
 /// The columns of a table: of the name, of x, y, z, of the standard errors of the place (of which the larger one counts) and of the height.
@@ -317,12 +294,22 @@ pub(super) struct Columns {
     pub error_units_m: [f64; 3],
     pub uses: Uses,
     pub sigma_px: Option<usize>,
+    /// Whether x and y are named as longitude and latitude.
+    pub is_geographic: bool,
 }
 
 impl Default for Columns {
     fn default() -> Self {
         let standard_errors = Some(([4, 4], 5));
-        Self { name: 0, position: [1, 2, 3], standard_errors, error_units_m: [1.0; 3], uses: Uses::default(), sigma_px: None }
+        Self {
+            name: 0,
+            position: [1, 2, 3],
+            standard_errors,
+            error_units_m: [1.0; 3],
+            uses: Uses::default(),
+            sigma_px: None,
+            is_geographic: false,
+        }
     }
 }
 
@@ -339,8 +326,6 @@ const NEEDED: [(Column, &str); 4] = [(Column::Name, "name"), (Column::X, "x"), (
 impl<'a> Layout<'a> {
     /// The columns of a table by the line that names them, or by their order.
     pub fn of(records: &'a Records) -> Result<Self, Error> {
-        SystemLine::refuse_in(records)?;
-        records.check_thousands()?;
         let needed = |names: &StringRecord| {
             let meanings = meanings(names);
             let [name, x, y, z] = NEEDED.map(|(column, _)| place(names, &meanings, column));
@@ -350,15 +335,18 @@ impl<'a> Layout<'a> {
         let Headed { names, rows, misplaced } = records.headed(needed, &units())?;
         if let Some(names) = names {
             let columns = Columns::named_by(&names, needed(&names), rows)?;
+            columns.numbers().check_thousands(records, rows)?;
             columns.numbers().check(records, rows)?;
             return Ok(Self { columns, names: Some(names), rows });
         }
+        SystemLine::refuse_in(records)?;
         let has_number = |record: &StringRecord, column: usize| record.get(column).is_some_and(|field| records.number(field).is_some());
         // Of points that were not surveyed yet the coordinates are empty.
         let first = || rows.iter().map(|(_, record)| record).find(|record| !Columns::default().lacks_coordinates(record));
         let is_in_order = misplaced.is_none() && first().is_none_or(|first| (1..4).all(|column| has_number(first, column)));
         if is_in_order {
             let columns = Columns { standard_errors: errors_in_order(records)?, ..Columns::default() };
+            columns.numbers().check_thousands(records, rows)?;
             return Ok(Self { columns, names: None, rows });
         }
         let shown = misplaced.as_ref().or_else(|| records.likely_head(needed));
@@ -422,12 +410,15 @@ impl Columns {
             error_units_m: standard_errors.map_or([1.0; 3], |([x, y], z)| [x, y, z].map(unit_m)),
             uses: Uses::of(rows, place(Column::Use), place(Column::Kind), place(Column::Enabled)),
             sigma_px: place(Column::ErrorPx),
+            is_geographic: [x, y]
+                .into_iter()
+                .all(|column| names.get(column).is_some_and(|name| coordinates_of(name) == Coordinates::Geographic)),
         })
     }
 
     /// Whether a row has none of x, y and z.
     pub fn lacks_coordinates(&self, record: &StringRecord) -> bool {
-        self.position.into_iter().all(|column| record.get(column) == Some(""))
+        self.position.into_iter().all(|column| record.get(column).is_some_and(is_none))
     }
 
     /// Its numbers, and what is none.

@@ -2,7 +2,7 @@
 
 use super::whole_numbers::{LEAST_FIGURES, has_leading_zero};
 use crate::error::refuse;
-use crate::text::{Records, filled};
+use crate::text::{Records, filled, shorten};
 use crate::{Error, Input, Refusal};
 use csv::StringRecord;
 
@@ -32,32 +32,48 @@ pub(super) fn errors_in_order(records: &Records) -> Result<Option<([usize; 2], u
         if records.may_be_cut(&numbers) && (may_be_figures || numbers.iter().any(|field| has_leading_zero(field))) {
             return refused(|record, _, line| Refusal::DecimalCommas { input: Input::ControlTable, record, line });
         }
+        // Other numbers than standard errors may follow, as those of a time or of satellites.
+        let are_beyond = of_errors.iter().any(|error| error.abs() > MOST_ERROR_M);
+        if numbers.len() == WITH_TWO && are_beyond {
+            return refused(|record, numbers, line| Refusal::ControlNumbers { record, numbers, line, most_m: MOST_ERROR_M });
+        }
         // A name with a blank in it shifts what stands behind it.
         if records.has_blanks() && numbers.len() > 3 && !are_small {
             return refused(|record, numbers, line| Refusal::ControlNumbers { record, numbers, line, most_m: MOST_ERROR_M });
         }
         most = most.max(numbers.len());
     }
-    Ok(match most {
-        WITH_THREE => Some(([4, 5], 6)),
-        _ => Some(([4, 4], 5)).filter(|_| !has_code(records)),
-    })
+    if most == WITH_THREE {
+        return Ok(Some(([4, 5], 6)));
+    }
+    if has_code(records) {
+        return Ok(None);
+    }
+    check_lone(records)?;
+    Ok(Some(([4, 4], 5)))
 }
 
 fn is_large(records: &Records, field: &str) -> bool {
     records.number(field).is_some_and(|number| number >= LEAST_FIGURES)
 }
 
-/// Words in the last column, directly behind the coordinates, are codes or remarks, and so are numbers that are too large for standard errors and no halves of
+/// Words directly behind the coordinates, and behind them no numbers, are codes or remarks; so are whole numbers in the last column that are no halves of
 /// coordinates.
 fn has_code(records: &Records) -> bool {
-    let is_last = records.rows.iter().all(|(_, record)| filled(record) <= CODE + 1);
-    let mut has_any = false;
-    let is_code = |record: &StringRecord| {
-        let field = record.get(CODE).unwrap_or("");
-        has_any |= !field.is_empty();
+    let field = |record: &'_ StringRecord, column: usize| record.get(column).unwrap_or("").to_string();
+    let is_number = |field: &str| records.number(field).is_some();
+    let is_word = |record: &StringRecord| !is_number(&field(record, CODE)) && !record.iter().skip(CODE + 1).any(is_number);
+    let is_whole = |record: &StringRecord| {
         let coordinates: Vec<&str> = record.iter().skip(1).take(3).collect();
-        records.number(field).is_none() || (is_large(records, field) && field.parse::<u64>().is_ok() && !records.may_be_cut(&coordinates))
+        filled(record) == CODE + 1 && field(record, CODE).parse::<u64>().is_ok() && !records.may_be_cut(&coordinates)
     };
-    is_last && records.rows.iter().map(|(_, record)| record).all(is_code) && has_any
+    let has_any = records.rows.iter().any(|(_, record)| !field(record, CODE).is_empty());
+    has_any && records.rows.iter().all(|(_, record)| is_word(record) || is_whole(record))
+}
+
+/// Refuses one number behind the coordinates, in the last column, that is no code.
+fn check_lone(records: &Records) -> Result<(), Error> {
+    let is_lone = |record: &StringRecord| filled(record) == CODE + 1 && record.iter().skip(1).all(|field| records.number(field).is_some());
+    let Some((line, record)) = records.rows.iter().find(|(_, record)| is_lone(record)) else { return Ok(()) };
+    refuse(Refusal::ControlLoneError { word: shorten(record.get(CODE).unwrap_or("")), line: *line })
 }

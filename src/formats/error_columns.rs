@@ -1,6 +1,6 @@
 //! Columns of standard errors that say no unit, so that what stands in them is taken as m.
 
-use super::control_columns::named;
+use super::column_units::named;
 use crate::text::shorten;
 use csv::StringRecord;
 

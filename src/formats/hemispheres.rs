@@ -10,12 +10,15 @@ pub(super) enum Axis {
 
 impl Axis {
     /// The words of both sides, the positive one first, in small letters.
-    fn sides(self) -> [[&'static str; 2]; 2] {
+    fn sides(self) -> [&'static [&'static str]; 2] {
         match self {
-            Self::Longitude => [["east", "e"], ["west", "w"]],
-            Self::Latitude => [["north", "n"], ["south", "s"]],
-            // EXIF has numbers for them.
-            Self::Height => [["above sea level", "0"], ["below sea level", "1"]],
+            Self::Longitude => [&["east", "e"], &["west", "w"]],
+            Self::Latitude => [&["north", "n"], &["south", "s"]],
+            // EXIF has numbers for them, and ExifTool words.
+            Self::Height => [
+                &["above sea level", "positive sea level (sea-level ref)", "positive sea level", "positive", "0", "2"],
+                &["below sea level", "negative sea level (sea-level ref)", "negative sea level", "negative", "1", "3"],
+            ],
         }
     }
 
@@ -33,7 +36,8 @@ impl Axis {
         let small = field.to_lowercase();
         let strip = |word: &str| small.strip_suffix(word).or_else(|| small.strip_prefix(word).filter(|_| self != Self::Height));
         // The numbers of EXIF stand in columns of their own alone.
-        let words = |side: usize| self.sides()[side].into_iter().filter(|word| !word.starts_with(|letter: char| letter.is_ascii_digit()));
+        let words =
+            |side: usize| self.sides()[side].iter().copied().filter(|word| !word.starts_with(|letter: char| letter.is_ascii_digit()));
         let found = (0..2).find_map(|side| words(side).find_map(strip).map(|bare| (bare.trim(), side == 1)));
         let (bare, is_negative) = found.map_or((small.as_str(), None), |(bare, is_negative)| (bare, Some(is_negative)));
         let value = match self {
@@ -103,6 +107,7 @@ mod tests {
             (Axis::Longitude, "8 15 0", None),
             (Axis::Height, "171.5 m Above Sea Level", Some(171.5)),
             (Axis::Height, "12 m Below Sea Level", Some(-12.0)),
+            (Axis::Height, "12 m Negative Sea Level (sea-level ref)", Some(-12.0)),
             (Axis::Height, "171.5 m", Some(171.5)),
             (Axis::Height, "171.5 ft", None),
             (Axis::Height, "-3 m Above Sea Level", None),
@@ -116,8 +121,8 @@ mod tests {
             [Some(true), Some(true), Some(false), None, None]
         );
         assert_eq!(
-            ["0", "1", "Below Sea Level", "2"].map(|word| Axis::Height.is_negative(word)),
-            [Some(false), Some(true), Some(true), None]
+            ["0", "1", "Below Sea Level", "2", "3", "Positive Sea Level (sea-level ref)", "4"].map(|word| Axis::Height.is_negative(word)),
+            [Some(false), Some(true), Some(true), Some(false), Some(true), Some(false), None]
         );
     }
 }

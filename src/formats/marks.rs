@@ -38,7 +38,6 @@ pub fn parse_image_measurements(text: &str) -> Result<Vec<ImageMeasurementRow>, 
     let mut seen = BTreeSet::new();
     let mut marks = Vec::new();
     let records = records(Input::MarkTable, text)?;
-    SystemLine::refuse_in(&records)?;
     let ([of_image, of_point, of_x, of_y], rows) = columns_of(&records)?;
     for (line, record) in rows {
         let (field, line) = (|column: usize| record.get(column).unwrap_or(""), *line);
@@ -100,6 +99,7 @@ fn columns_of(records: &Records) -> Result<([usize; 4], &[NumberedRecord]), Erro
         NumberColumns { read: vec![x, y], errors: Vec::new(), texts: vec![image, point] }.check(records, rows)?;
         return Ok(([image, point, x, y], rows));
     }
+    SystemLine::refuse_in(records)?;
     let missing = |names: &StringRecord| {
         let missing = find(names).iter().position(Option::is_none).unwrap_or(0);
         let column = NAMES[missing].split(' ').next().unwrap_or("").into();

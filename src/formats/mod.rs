@@ -10,6 +10,7 @@ mod cameras;
 mod colmap_features;
 mod colmap_read;
 mod colmap_write;
+mod column_units;
 mod columns;
 mod control;
 mod control_columns;
@@ -34,6 +35,8 @@ mod quaternion;
 mod sight;
 mod system_line;
 #[cfg(test)]
+mod table_forms;
+#[cfg(test)]
 mod tests;
 mod text;
 mod whole_numbers;
@@ -43,7 +46,9 @@ pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 pub use colmap_read::read_colmap_model;
 pub(crate) use columns::{LENGTHS, UnreadColumns};
 pub use control::{GroundControlRow, parse_ground_control_points};
-pub(crate) use control::{StatedUnit, error_columns, ground_control_table, points_without_coordinates, stated_units, unread_columns};
+pub(crate) use control::{
+    StatedUnit, control_system, error_columns, ground_control_table, points_without_coordinates, stated_units, unread_columns,
+};
 pub(crate) use csv_tables::{images_table, points_table, rays_table};
 pub(crate) use error_columns::ErrorColumns;
 pub use export::{ExportFormat, export_block};

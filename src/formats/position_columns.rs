@@ -1,18 +1,24 @@
 //! What the columns of a table of image positions hold, by their names or by their order.
 
+use super::column_units::unit_m;
 use super::columns::{IMAGES, UnreadColumns, letters, others, without_unit};
 use super::control::StatedUnit;
-use super::control_columns::{Column, Coordinates, check_unit, coordinates_of, is_ellipsoidal, meaning_of, meanings, names_of, unit_m};
+use super::control_columns::{
+    Column, Coordinates, check_unit, coordinates_of, is_ellipsoidal, looks_like_height, meaning_of, meanings, names_of,
+};
 use super::error_columns::ErrorColumns;
 use super::hemispheres::Axis;
 use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
-use crate::text::{NumberedRecord, Records, filled};
+use crate::text::{NumberedRecord, Records, filled, is_none, shorten};
 use crate::{Error, Refusal};
 use csv::StringRecord;
 
 /// Names of the column of images beside those that tables of measurements have.
 const FURTHER: &str = "name label cameralabel nom nombre nome";
+
+/// Largest standard error in a column without a name, in m: positions of receivers are known so well.
+const MOST_ERROR_M: f64 = 50.0;
 
 /// The columns of a table of image positions.
 #[derive(Debug, Clone)]
@@ -33,7 +39,8 @@ pub(super) struct PositionColumns {
 }
 
 impl PositionColumns {
-    /// The columns of rows without names. `coordinates`: what x and y are, where the table says its system. Standard errors stand behind the height where nothing follows them, or behind three angles.
+    /// The columns of rows without names. `coordinates`: what x and y are, where the table says its system. Standard errors stand behind the height where nothing
+    /// follows them, or behind three angles, and only where all of them can be some.
     pub fn in_order(records: &Records, coordinates: Option<Coordinates>) -> Self {
         let width = records.rows.iter().map(|(_, record)| filled(record)).max().unwrap_or(0);
         let errors = match width {
@@ -41,6 +48,12 @@ impl PositionColumns {
             9 => Some(7),
             _ => None,
         };
+        // Angles and words stand there, too.
+        let is_error = |field: &str| is_none(field) || records.number(field).is_some_and(|error| error > 0.0 && error <= MOST_ERROR_M);
+        let are_errors = |column: &usize| {
+            records.rows.iter().all(|(_, record)| [*column, column + 1].iter().all(|column| record.get(*column).is_none_or(is_error)))
+        };
+        let errors = errors.filter(are_errors);
         Self {
             image: 0,
             place: [1, 2],
@@ -153,6 +166,12 @@ impl PositionColumns {
             Column::Name | Column::ErrorPx | Column::Use | Column::Kind | Column::Enabled => None,
         };
         UnreadColumns::of(rows, head, &read.collect(), twin)
+    }
+
+    /// The column that is rather one of heights, where none is read.
+    pub fn unread_height(&self, head: &StringRecord) -> Option<String> {
+        let looks = |(column, name): &(usize, &str)| Some(*column) != self.sides[Axis::Height as usize] && looks_like_height(name);
+        head.iter().enumerate().find(looks).filter(|_| self.height.is_none()).map(|(_, name)| shorten(name))
     }
 
     /// The units of length that names of columns of coordinates have.

@@ -1,15 +1,16 @@
 //! Reading where images were taken: the GNSS positions of a block from a table.
 
+use super::column_units::units;
 use super::columns::UnreadColumns;
 use super::control::StatedUnit;
-use super::control_columns::{Coordinates, units};
+use super::control_columns::Coordinates;
 use super::error_columns::ErrorColumns;
 use super::hemispheres::{Axis, on_side};
 use super::position_columns::PositionColumns;
 use super::system_line::SystemLine;
 use super::whole_numbers::has_leading_zero;
 use crate::error::refuse;
-use crate::text::{Headed, NumberedRecord, Records, records, shorten};
+use crate::text::{Headed, NumberedRecord, Records, is_none, records, shorten};
 use crate::{Error, Input, Refusal};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
@@ -50,8 +51,8 @@ pub struct ImagePositionRow {
 /// ExifTool writes them; heights above sea level and below it likewise. (0, 0), which receivers without a fix write, is no position.
 ///
 /// Places under names that leave it open (`x`, `X/Longitude`) are longitudes and latitudes where all of them can be. Without names the columns are image, x,
-/// y, height; of six columns the last two, and of nine, behind three angles, the last two are standard errors. Degrees without names are longitude and
-/// latitude in whatever order, where one of the two is beyond 90° somewhere. Rows without any coordinate are skipped, as are blank lines and
+/// y, height; of six columns the last two, and of nine, behind three angles, the last two are standard errors, where all of them are above 0 and up to 50 m. Degrees without names are longitude and
+/// latitude in whatever order, where one of the two is beyond 90° somewhere. Rows without any coordinate, which a dash may stand for, are skipped, as are blank lines and
 /// lines that begin with `#`.
 ///
 /// # Errors
@@ -74,6 +75,8 @@ pub(crate) struct PositionHead {
     pub stated_units: Vec<StatedUnit>,
     /// Columns of standard errors that say no unit.
     pub error_columns: ErrorColumns,
+    /// A column of heights that is not understood, and how many positions have none for it.
+    pub unread_height: Option<(String, usize)>,
     /// Images at longitude 0 and latitude 0, as the table names them.
     pub nowhere: Vec<String>,
     /// The coordinate system that the table names for itself.
@@ -88,9 +91,15 @@ pub(crate) fn position_head(text: &str) -> Result<PositionHead, Error> {
     let table = Table::read(text)?;
     let (head, columns) = (table.head.as_ref(), &table.columns);
     let stated_units = head.map(|head| columns.stated_units(head)).unwrap_or_default();
-    let (_, nowhere) = table.positions()?;
+    let (positions, nowhere) = table.positions()?;
+    let of_side = columns.sides[Axis::Height as usize].and_then(|side| head?.get(side)).map(shorten);
+    let unsided = table.rows().iter().filter(|(_, record)| table.has_unknown_side(record)).count();
+    let unread_height = match head.and_then(|head| columns.unread_height(head)) {
+        Some(column) => Some((column, positions.rows.len())),
+        None => of_side.map(|column| (column, unsided)).filter(|(_, unsided)| *unsided > 0),
+    };
     let (unread, error_columns) = (columns.unread(table.rows(), head), columns.error_columns(head));
-    Ok(PositionHead { unread, stated_units, error_columns, nowhere, system: table.system.clone() })
+    Ok(PositionHead { unread, stated_units, error_columns, unread_height, nowhere, system: table.system.clone() })
 }
 
 struct Table {
@@ -107,7 +116,6 @@ struct Table {
 impl Table {
     fn read(text: &str) -> Result<Self, Error> {
         let mut records = records(Input::PositionTable, text)?;
-        records.check_thousands()?;
         let system = SystemLine::of(&records);
         if system.is_some() {
             records.rows.remove(0);
@@ -115,17 +123,20 @@ impl Table {
         let Headed { names, rows, misplaced } = records.headed(PositionColumns::needed, &units())?;
         let above = records.rows.len() - rows.len();
         let is_number = |field: Option<&str>| field.is_some_and(|field| records.number(field).is_some());
-        let is_given = |record: &StringRecord| (1..4).any(|column| record.get(column).is_some_and(|field| !field.is_empty()));
+        let is_given = |record: &StringRecord| (1..4).any(|column| record.get(column).is_some_and(|field| !is_none(field)));
         let first = || rows.iter().map(|(_, record)| record).find(|record| is_given(record));
         let is_in_order = || first().is_none_or(|first| [1, 2].iter().all(|column| is_number(first.get(*column))));
         if names.is_none() && misplaced.is_none() && is_in_order() {
             check_in_order(&records)?;
             // Places in a system that is named have east first, also in degrees.
             let coordinates = system.as_ref().map(|_| Coordinates::Either);
-            return Ok(Self { columns: PositionColumns::in_order(&records, coordinates), records, head: None, above, system });
+            let columns = PositionColumns::in_order(&records, coordinates);
+            columns.numbers().check_thousands(&records, rows)?;
+            return Ok(Self { columns, records, head: None, above, system });
         }
         let shown = names.or(misplaced).or_else(|| records.likely_head(PositionColumns::needed).cloned()).unwrap_or_default();
         let columns = PositionColumns::named_by(&records, &shown)?;
+        columns.numbers().check_thousands(&records, rows)?;
         columns.numbers().check(&records, rows)?;
         Ok(Self { columns, records, head: Some(shown), above, system })
     }
@@ -156,6 +167,12 @@ impl Table {
         Ok((ImagePositions { is_geographic, rows }, nowhere.into_iter().map(|row| row.image).collect()))
     }
 
+    /// Whether the side of sea level is not known on which the height of a row is.
+    fn has_unknown_side(&self, record: &StringRecord) -> bool {
+        let side = self.columns.sides[Axis::Height as usize].and_then(|side| record.get(side)).filter(|word| !word.is_empty());
+        side.is_some_and(|word| Axis::Height.is_negative(word).is_none())
+    }
+
     fn row(&self, line: usize, record: &StringRecord) -> Result<Option<ImagePositionRow>, Error> {
         let columns = &self.columns;
         let field = |column: usize| record.get(column).unwrap_or("");
@@ -176,12 +193,12 @@ impl Table {
             let refusal = || Refusal::PositionSide { word: shorten(field(side)), column: name(side), value: shorten(field(column)), line };
             axis.is_negative(field(side)).and_then(|is_negative| on_side(value, is_negative)).ok_or_else(|| refusal().into_error())
         };
-        let given = |column: Option<usize>| column.filter(|column| !field(*column).is_empty()).map(number).transpose();
+        let given = |column: Option<usize>| column.filter(|column| !is_none(field(*column))).map(number).transpose();
         let image = field(columns.image).to_string();
         if image.is_empty() || image.chars().any(char::is_control) {
             return refuse(Refusal::PositionName { name: shorten(&image), line });
         }
-        if columns.place.into_iter().chain(columns.height).all(|column| field(column).is_empty()) {
+        if columns.place.into_iter().chain(columns.height).all(|column| is_none(field(column))) {
             return Ok(None);
         }
         let place = [coordinate(Axis::Longitude, columns.place[0])?, coordinate(Axis::Latitude, columns.place[1])?];
@@ -196,8 +213,8 @@ impl Table {
         if let Some(error) = standard_errors.into_iter().flatten().find(|error| !(*error > 0.0)) {
             return refuse(Refusal::PositionErrors { errors: error.to_string(), line });
         }
-        let height =
-            columns.height.filter(|column| !field(*column).is_empty()).map(|column| coordinate(Axis::Height, column)).transpose()?;
+        let height = columns.height.filter(|column| !is_none(field(*column)) && !self.has_unknown_side(record));
+        let height = height.map(|column| coordinate(Axis::Height, column)).transpose()?;
         Ok(Some(ImagePositionRow { image, place, height, standard_errors, line }))
     }
 }
@@ -339,12 +356,15 @@ mod tests {
             ("a,446833.25,5594521.5,171.5,0.02,0.04\n", [Some(0.02), Some(0.04)]),
             ("a,446833.25,5594521.5,171.5,1,2,3,0.02,0.04\n", [Some(0.02), Some(0.04)]),
             ("a,446833.25,5594521.5,171.5,1,2,3\n", [None, None]),
+            ("a,446833.25,5594521.5,171.5,91,2\n", [None, None]),
+            ("a,446833.25,5594521.5,171.5,TP,bolt\n", [None, None]),
         ] {
             let found = read(text);
             assert!(!found.is_geographic, "{text}");
             let row = &found.rows[0];
             assert_eq!((row.place, row.height, row.standard_errors), ([446_833.25, 5_594_521.5], Some(171.5), errors), "{text}");
         }
+        assert_eq!(unread("a,446833.25,5594521.5,171.5,91,2\n").unknown, ["#5", "#6"]);
         // `x` of a plane is no longitude where one row lies beyond.
         assert!(!read("image,x,y\na,10,20\nb,1000,20\n").is_geographic);
     }
@@ -438,7 +458,7 @@ mod tests {
             ("a,E,49.99,W,8.5,171.5,0", "'E' for GPSLatitudeRef beside '49.99' in line 2"),
             ("a,,49.99,W,8.5,171.5,0", "'' for GPSLatitudeRef"),
             ("a,N,-49.99,W,8.5,171.5,0", "'N' for GPSLatitudeRef beside '-49.99'"),
-            ("a,N,49.99,E,8.5,171.5,3", "'3' for GPSAltitudeRef beside '171.5'"),
+            ("a,N,49.99,E,8.5,-171.5,2", "'2' for GPSAltitudeRef beside '-171.5'"),
             ("a,N,49.99 X,E,8.5,171.5,0", "'49.99 X' for GPSLatitude in line 2; allowed: finite numbers (as ExifTool writes them with -n)"),
         ] {
             let refused = message(&format!("{head}{row}\n"));

@@ -20,6 +20,15 @@ pub(super) struct NumberColumns {
 }
 
 impl NumberColumns {
+    /// Refuses numbers of these columns whose commas may stand before thousands.
+    ///
+    /// # Errors
+    /// As [`Records::check_thousands`].
+    pub fn check_thousands(&self, records: &Records, rows: &[NumberedRecord]) -> Result<(), Error> {
+        let columns: Vec<usize> = self.read.iter().copied().chain(self.errors.iter().map(|(column, _)| *column)).collect();
+        records.check_thousands(rows, &columns)
+    }
+
     /// Refuses a table between commas none of whose numbers has a point, where a row of it has more of them than are read, as `8,25,50,5,171,5` has below
     /// `lon,lat,alt,yaw,pitch,roll`; one that begins with a zero, as `069`; or a standard error of 10 m or more.
     ///
@@ -35,7 +44,11 @@ impl NumberColumns {
         if !rows.iter().all(|(_, record)| may_be_cut(record)) {
             return Ok(());
         }
-        let begins_with_zero = |record: &StringRecord| self.read.iter().any(|column| record.get(*column).is_some_and(has_leading_zero));
+        let begins_with_zero = |record: &StringRecord| {
+            self.read
+                .iter()
+                .any(|column| record.get(*column).is_some_and(|field| has_leading_zero(field) && records.number(field).is_some()))
+        };
         let error = |record: &StringRecord, column: usize| record.get(column).and_then(|field| records.number(field)).unwrap_or(0.0);
         let is_large = |record: &StringRecord| self.errors.iter().any(|(column, unit_m)| unit_m * error(record, *column) >= LEAST_FIGURES);
         let read: BTreeSet<usize> = self.read.iter().copied().chain(self.errors.iter().map(|(column, _)| *column)).collect();

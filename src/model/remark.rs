@@ -27,6 +27,8 @@ messages! {
         DoubledColumns { columns: Vec<String> },
         /// Columns of the table of image positions that are not read.
         UnknownPositionColumns { columns: Vec<String> },
+        /// A column of that table that speaks of heights and is not understood, for which so many of its positions have none.
+        PositionHeights { column: String, positions: usize },
         /// Columns of that table that give what another one gives, each with the one that is read in brackets.
         DoubledPositionColumns { columns: Vec<String> },
         /// Images that the table of image positions names and that are not in the block; whether it names no other ones.

@@ -2,9 +2,12 @@
 
 use super::named_images::NamedImages;
 use super::system::{check_stated_units, looks_like_degrees, system_of, units_of, with_unit};
-use crate::crs::{CoordinateSystem, HeightZero};
+use crate::crs::{CoordinateSystem, Definition, HeightZero};
 use crate::error::refuse;
-use crate::formats::{ErrorColumns, StatedUnit, UnreadColumns, error_columns, points_without_coordinates, stated_units, unread_columns};
+use crate::formats::{
+    ErrorColumns, StatedUnit, SystemLine, UnreadColumns, control_system, error_columns, points_without_coordinates, stated_units,
+    unread_columns,
+};
 use crate::{
     BlockDescription, ControlRole, Error, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
     ImageObservation, Input, KnownCamera, KnownImage, ObservedPosition, Refusal, parse_ground_control_points, parse_image_measurements,
@@ -30,6 +33,8 @@ pub struct ControlTables {
     stated_units: Vec<StatedUnit>,
     /// Columns of standard errors that say no unit.
     pub(super) error_columns: ErrorColumns,
+    /// The coordinate system that the table of points names for itself.
+    own_system: Option<SystemLine>,
 }
 
 impl ControlTables {
@@ -39,9 +44,9 @@ impl ControlTables {
     /// As [`parse_ground_control_points`] and [`parse_image_measurements`].
     pub fn read(points: &str, marks: &str) -> Result<Self, Error> {
         let (unread_columns, stated_units, error_columns) = (unread_columns(points)?, stated_units(points)?, error_columns(points)?);
-        let without_coordinates = points_without_coordinates(points)?;
+        let (without_coordinates, own_system) = (points_without_coordinates(points)?, control_system(points)?);
         let (points, marks) = (parse_ground_control_points(points)?, parse_image_measurements(marks)?);
-        Ok(Self { points, marks, unread_columns, without_coordinates, stated_units, error_columns })
+        Ok(Self { points, marks, unread_columns, without_coordinates, stated_units, error_columns, own_system })
     }
 
     /// Refuses, before the images are read, what a run of images with these names would refuse. Before there is a block, the images that the
@@ -81,6 +86,7 @@ impl ControlTables {
         zero: &HeightZero,
         least: usize,
     ) -> Result<(Vec<GroundControlPoint>, Vec<String>), Error> {
+        self.check_own_system(placing)?;
         check_stated_units(Input::ControlTable, &self.stated_units, units_of(placing)?)?;
         self.check_metres(placing)?;
         let system = system_of(placing, zero, &self.plane(), &[])?;
@@ -158,6 +164,15 @@ impl ControlTables {
     /// The standard errors of the place and of the height of a point, where the table has them.
     pub(super) fn standard_errors(&self, point: &str) -> Option<[f64; 2]> {
         self.points.iter().find(|row| row.name == point)?.standard_errors
+    }
+
+    /// Refuses a coordinate system that the table names for itself where it is not that of the block.
+    fn check_own_system(&self, placing: &GeoreferencingOptions) -> Result<(), Error> {
+        let Some(SystemLine { crs, words, line }) = &self.own_system else { return Ok(()) };
+        let block = placing.definition()?;
+        let is_own = block.as_ref().zip(Definition::read(crs).ok()).is_some_and(|(block, own)| own.has_plane_of(block));
+        let crs = block.map(|block| block.name());
+        if is_own { Ok(()) } else { refuse(Refusal::ControlSystem { words: words.clone(), line: *line, crs }) }
     }
 
     /// Refuses degrees where the coordinate system has metres.
@@ -354,5 +369,25 @@ mod tests {
             let told = seen(points).join(&images, &placing, &HeightZero::Unknown, least).unwrap_err().to_string();
             assert!(told.contains("the point 101"), "{told}");
         }
+    }
+
+    #[test]
+    fn a_coordinate_system_above_the_names_of_columns_is_that_of_the_block_or_refused() {
+        let rows = "name;x;y;z\na;446833,2;5594521,7;124\nb;446933,2;5594521,7;124\nc;446833,2;5594621,7;124\n";
+        let marks = "EPSG:25832\nimage,point,x,y\n1.png,a,1,2\n2.png,a,1,2\n1.png,b,3,4\n2.png,b,3,4\n1.png,c,5,6\n2.png,c,5,6\n";
+        let images = ["1.png", "2.png"].map(String::from);
+        let checked = |line: &str, crs: &str| {
+            let placing =
+                GeoreferencingOptions { crs: Some(crs.to_string()).filter(|crs| !crs.is_empty()), ..GeoreferencingOptions::default() };
+            let tables = ControlTables::read(&format!("{line}\n{rows}"), marks).unwrap();
+            tables.check(&images, &placing, false).map_or_else(|error| error.to_string(), |()| String::new())
+        };
+        for line in ["EPSG:25832", "EPSG:25832;;;", "EPSG:25832 (ETRS89 / UTM 32N)"] {
+            assert_eq!(checked(line, "EPSG:25832"), "", "{line}");
+            let other = checked(line, "EPSG:25833");
+            assert!(other.contains("in line 1 beside ETRS89"), "{other}");
+            assert!(checked(line, "").contains("in line 1 and no other"), "{}", checked(line, ""));
+        }
+        assert!(checked("EPSG:99999", "EPSG:25832").contains("control points: got the coordinate system 'EPSG:99999'"));
     }
 }

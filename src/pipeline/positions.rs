@@ -80,9 +80,10 @@ impl PositionTable {
     /// Refuses a coordinate system that the table names for itself where it is not that of the block, or of WGS 84 for degrees.
     fn check_own_system(&self, placing: &GeoreferencingOptions) -> Result<(), Error> {
         let Some(SystemLine { crs, words, line }) = &self.head.system else { return Ok(()) };
-        let (own, block) = (Definition::read(crs)?, placing.definition()?);
+        // One that is not known is none of these.
+        let (own, block) = (Definition::read(crs).ok(), placing.definition()?);
         let wanted = if self.positions.is_geographic { Some(Definition::read(WGS_84)?) } else { block.clone() };
-        match wanted.is_some_and(|wanted| own.has_plane_of(&wanted)) {
+        match wanted.zip(own).is_some_and(|(wanted, own)| own.has_plane_of(&wanted)) {
             true => Ok(()),
             false => refuse(Refusal::PositionSystem { words: words.clone(), line: *line, crs: block.map(|block| block.name()) }),
         }
@@ -159,14 +160,17 @@ impl PositionTable {
         let named = NamedImages::new(images);
         let rows = &self.positions.rows;
         // A row that means an image less surely than another one is of a file beside it.
-        let own: Vec<usize> = self.rows_of(images).unwrap_or_default().into_iter().flatten().map(|row| row.line).collect();
-        let others: Vec<String> = rows.iter().filter(|row| !own.contains(&row.line)).map(|row| row.image.clone()).collect();
+        let own = self.rows_of(images).map(|own| own.into_iter().flatten().map(|row| row.line).collect::<Vec<usize>>());
+        // Of a table that is refused nothing is known of other images.
+        let is_other = |row: &&ImagePositionRow| own.as_ref().is_ok_and(|own| !own.contains(&row.line));
+        let others: Vec<String> = rows.iter().filter(is_other).map(|row| row.image.clone()).collect();
         let nowhere = self.head.nowhere.iter().filter_map(|name| named.find(name)).map(|image| images[image].clone());
         let nowhere: Vec<ImpossiblePosition> =
             nowhere.map(|name| ImpossiblePosition { name, value: crate::camera::NOWHERE.into() }).collect();
         let all = others.len() == rows.len() && nowhere.is_empty();
         let remarks = [
             (!unknown.is_empty()).then_some(Remark::UnknownPositionColumns { columns: unknown }),
+            self.head.unread_height.clone().map(|(column, positions)| Remark::PositionHeights { column, positions }),
             (!doubled.is_empty()).then_some(Remark::DoubledPositionColumns { columns: doubled }),
             (!others.is_empty()).then_some(Remark::PositionsOfOtherImages { images: others, all }),
             (!nowhere.is_empty()).then_some(Remark::ImpossiblePositions { images: nowhere }),
@@ -281,6 +285,11 @@ mod tests {
             (utm, "EPSG:25832", "'WGS84 UTM 32N' in line 1 beside ETRS89"),
             (utm, "", "'WGS84 UTM 32N' in line 1 and no other; allowed: positions in the coordinate system of the block (--crs)"),
             ("EPSG:32632\nIMG_1.JPG 8.25 50.5 171.5\n", "EPSG:32632", "'EPSG:32632' in line 1"),
+            (
+                "EPSG:99999\nIMG_1.JPG 446833.2 5594521.7 171.5\n",
+                "EPSG:32632",
+                "image positions: got the coordinate system 'EPSG:99999' in line 1",
+            ),
             ("EPSG:4314\nIMG_1.JPG 8.25 50.5 171.5\n", "", "or longitudes and latitudes of WGS 84"),
         ] {
             let told = refused(text, crs);
@@ -298,5 +307,12 @@ mod tests {
         // The origin of a system is a place.
         let plane = PositionTable::read("image,easting,northing\nIMG_1.JPG,0,0\nIMG_2.JPG,1000,1000\n").unwrap();
         assert!(plane.positions(&images(), &placing("+proj=tmerc +lat_0=50 +lon_0=8 +datum=WGS84")).unwrap()[0].is_some());
+    }
+
+    #[test]
+    fn nothing_is_said_of_other_images_where_an_image_comes_twice() {
+        let table = PositionTable::read("image,lat,lon\nIMG_1.JPG,50,8\nIMG_1.JPG,50,8.1\n").unwrap();
+        assert!(table.positions(&images(), &placing("")).is_err());
+        assert_eq!(table.remarks(&images()), []);
     }
 }

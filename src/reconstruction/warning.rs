@@ -37,7 +37,14 @@ messages! {
             focal: bool,
         },
         /// GNSS positions that a table gives to so many images lie elsewhere than those that their files record, by so much in the median.
-        PositionsElsewhere { images: usize, distance_km: f64, place_slip: Option<PlaceSlip> },
+        /// `in_crs`: whether the table has them in the system that was named.
+        PositionsElsewhere {
+            images: usize,
+            distance_km: f64,
+            place_slip: Option<PlaceSlip>,
+            #[serde(default)]
+            in_crs: bool,
+        },
         /// σ₀ is above what matching reaches.
         Imprecise { sigma0_px: f64, most_px: f64 },
         /// Weights by the residuals still changed after so many rounds.
@@ -161,6 +168,9 @@ fn yes() -> bool {
 /// An angle that is not surer than this is not known.
 pub(super) const UNKNOWN_TURN_DEG: f64 = 45.0;
 
+/// No file records a place that is so far off without a slip.
+const WRONG_PLACE_KM: f64 = 1.0;
+
 impl BlockWarning {
     /// Whether it speaks against the model as a whole: others tell what is weak of it, or what was done about it.
     pub(crate) fn is_weakness(&self) -> bool {
@@ -172,8 +182,9 @@ impl BlockWarning {
             Self::ControlElsewhere { check, .. } => !check,
             // Heights of another zero make focal lengths wrong, and with them the heights of the images.
             Self::PositionsApart { focal, .. } => *focal,
-            Self::PositionsElsewhere { .. }
-            | Self::UnknownRotation { .. }
+            // By less the positions of the files may be wrong.
+            Self::PositionsElsewhere { distance_km, place_slip, .. } => *distance_km >= WRONG_PLACE_KM || place_slip.is_some(),
+            Self::UnknownRotation { .. }
             | Self::UncertainRotation { .. }
             | Self::LookingUp { .. }
             | Self::Imprecise { .. }
