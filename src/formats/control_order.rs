@@ -17,7 +17,7 @@ const WITH_THREE: usize = 6;
 /// The columns of standard errors behind `name, x, y, z`: of the place, which are one or those of x and y, and of the height; none where a code stands there.
 ///
 /// # Errors
-/// [`Error::InvalidInput`] for more numbers, and for those that may be parts of others with decimal commas.
+/// [`Error::InvalidInput`] for more numbers, for one alone that is no code, and for those that may be parts of others with decimal commas.
 pub(super) fn errors_in_order(records: &Records) -> Result<Option<([usize; 2], usize)>, Error> {
     let mut most = 0;
     for (line, record) in &records.rows {
