@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, takeHere, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asFigure, asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -172,35 +172,60 @@ function marksOfNone({ marks }, images) {
 function stemOf(name) {
 	return name.replace(/\.[^.]*$/u, "").toLowerCase();
 }
+// www/block/state/given-positions.ts
+function givenPositions({ files, placing: { orthophoto }, options: { settings, positions } }) {
+	return read(positions?.text ?? null, files, settings?.placing ?? null, orthophoto?.info.epsg ?? null);
+}
+var NONE$1 = new Map();
+var read = remember((text, files, placing, epsg) => {
+	if (text === null || placing === null) return NONE$1;
+	const names = files.map(({ name }) => name);
+	try {
+		const crs = placing.crs ?? (epsg === null ? null : `EPSG:${String(epsg)}`);
+		const given = positions_of_images(text, names, {
+			...placing,
+			crs
+		});
+		return new Map(names.flatMap((name, index) => given[index] ? [[name, given[index]]] : []));
+	} catch {
+		return NONE$1;
+	}
+});
 // www/block/state/placed.ts
-function placingKey({ placing: { orthophoto, heights, options }, options: { cameras, positions } }) {
+function placingKey({ placing: { orthophoto, heights, options }, options: { cameras } }) {
 	const ground = heights.kind === "level" ? heights.height : `file ${String(heights.model.id)}`;
 	return JSON.stringify([
 		orthophoto?.raster.id ?? null,
 		ground,
 		options,
-		cameras,
-		...positions === null ? [] : [positions]
+		cameras
 	]);
 }
-function placingKeyOf(key, film, image) {
-	const own = filmOf(film, image);
-	return own === null ? key : JSON.stringify([key, own]);
+function placingKeyOf(key, { film, positions }, image) {
+	const own = [filmOf(film, image), positions.get(image) ?? null];
+	return own.every((given) => given === null) ? key : JSON.stringify([key, ...own]);
 }
 function placedFiles(state) {
-	return listed(state.files, state.placing.placed, placingKey(state), state.placing.film);
+	return listed(state.files, state.placing.placed, placingKey(state), state.placing.film, givenPositions(state));
 }
-var listed = remember((files, all, key, film) => files.flatMap((file) => {
+var listed = remember((files, all, key, film, positions) => files.flatMap((file) => {
 	const placed = all.get(file.id);
 	return placed === void 0 ? [] : [{
 		...placed,
 		file,
-		isStale: placed.key !== placingKeyOf(key, film, file.name)
+		isStale: placed.key !== placingKeyOf(key, {
+			film,
+			positions
+		}, file.name)
 	}];
 }));
 function unplacedFiles(state) {
 	const key = placingKey(state);
-	return state.files.filter(({ id, name }) => state.placing.placed.get(id)?.key !== placingKeyOf(key, state.placing.film, name));
+	const given = {
+		film: state.placing.film,
+		positions: givenPositions(state)
+	};
+	return state.files.filter(({ id, name }) => state.placing.placed.get(id)?.key !== placingKeyOf(key, given, name));
 }
 // www/block/state/edited.ts
 var UNEDITED = {
@@ -464,21 +489,21 @@ function readOr(file, read) {
 		return [];
 	}
 }
-var keyOf$1 = ({ image, point }) => JSON.stringify([image, point]);
+var keyOf = ({ image, point }) => JSON.stringify([image, point]);
 var marksByHand = remember(({ edits, done }) => {
 	const held = new Map();
 	for (const step of edits.slice(0, done)) {
 		if (step.kind === "remove_images") continue;
 		for (const mark of step.marks) {
-			held.delete(keyOf$1(mark));
-			if (step.kind === "measure") held.set(keyOf$1(mark), mark);
+			held.delete(keyOf(mark));
+			if (step.kind === "measure") held.set(keyOf(mark), mark);
 		}
 	}
 	return [...held.values()];
 });
 var allMarks = remember((file, history, images) => {
 	const all = [...marksOfFile(file, images), ...marksByHand(history)];
-	return [...new Map(all.map((mark) => [keyOf$1(mark), mark])).values()];
+	return [...new Map(all.map((mark) => [keyOf(mark), mark])).values()];
 });
 var collected = remember((control, file, history, files, isPlaced) => {
 	const byHand = marksByHand(history);
@@ -790,10 +815,7 @@ function asksPurpose(state) {
 function groundKey({ placing }) {
 	return placingKey({
 		placing,
-		options: {
-			cameras: null,
-			positions: null
-		}
+		options: { cameras: null }
 	});
 }
 function isOffGround(state) {
@@ -808,23 +830,6 @@ function liesElsewhere(state) {
 }
 function isStale(state) {
 	return isOutdated(state) || liesElsewhere(state);
-}
-// www/block/state/spots.ts
-function amongImages(before, images) {
-	const names = images.map(({ name }) => name);
-	const indices = new Map(names.map((name, index) => [name, index]));
-	const places = before.places.map(({ seen }) => ({ seen: seen.flatMap((one) => {
-		const image = indices.get(before.images[one.image] ?? "");
-		return image === void 0 ? [] : [{
-			...one,
-			image
-		}];
-	}) }));
-	return {
-		...before,
-		images: names,
-		places
-	};
 }
 // www/block/state/links.ts
 var USES$1 = [
@@ -913,25 +918,6 @@ function stepName(step) {
 		link: step.link + 1
 	});
 }
-// www/block/state/given-positions.ts
-function givenPositions({ files, placing: { orthophoto }, options: { settings, positions } }) {
-	return read(positions?.text ?? null, files, settings?.placing ?? null, orthophoto?.info.epsg ?? null);
-}
-var NONE$1 = new Map();
-var read = remember((text, files, placing, epsg) => {
-	if (text === null || placing === null) return NONE$1;
-	const names = files.map(({ name }) => name);
-	try {
-		const crs = placing.crs ?? (epsg === null ? null : `EPSG:${String(epsg)}`);
-		const given = positions_of_images(text, names, {
-			...placing,
-			crs
-		});
-		return new Map(names.flatMap((name, index) => given[index] ? [[name, given[index]]] : []));
-	} catch {
-		return NONE$1;
-	}
-});
 // www/block/engine/frames.ts
 async function makeFrames(worker, scans, given, tell) {
 	const made = [];
@@ -1032,16 +1018,16 @@ var PlacingEngine = class {
 		});
 	}
 	async lookElsewhere() {
-		const { files, placing, options: run } = this.store.state;
+		const { files, placing } = this.store.state;
 		const { orthophoto, options } = placing;
 		const { ground } = this;
+		const given = givenPositions(this.store.state);
 		let doubt = null;
 		if (orthophoto?.ofBlock === null && orthophoto.info.on_earth && ground !== null && options !== null) {
 			const areWanted = () => {
 				const now = this.store.state;
-				return now.files === files && now.placing.orthophoto?.raster === orthophoto.raster && now.placing.options === options && now.options.positions === run.positions;
+				return now.files === files && now.placing.orthophoto?.raster === orthophoto.raster && now.placing.options === options && givenPositions(now) === given;
 			};
-			const given = givenPositions(this.store.state);
 			const recorded = await this.recorded.of(files.filter(({ name }) => !given.has(name)), areWanted);
 			if (recorded === null) return;
 			const positions = [...[...given.values()].map(({ position }) => position), ...recorded];
@@ -1106,7 +1092,10 @@ var PlacingEngine = class {
 					type: "placed",
 					image: id,
 					placed: {
-						key: placingKeyOf(key, film, name),
+						key: placingKeyOf(key, {
+							film,
+							positions
+						}, name),
 						result,
 						problem,
 						found,
@@ -1353,9 +1342,8 @@ var BlockPlacing = class {
 				options: placing.options
 			});
 			const read = await this.engine.read(linked, this.store.state.truth);
-			const spots = awaitedOf(this.store.state)?.spots ?? null;
-			const own = spots === null ? null : amongImages(spots, read.view.images);
-			const [places, again] = [await read.places(), await read.placesAgain(own)];
+			const awaited = awaitedOf(this.store.state);
+			const [places, again] = [await read.places(), await read.placesAgain(awaited?.spots ?? null)];
 			if (this.stopped || this.store.state.shown?.found !== shown.found) return false;
 			read.hold();
 			this.store.dispatch({
@@ -2069,20 +2057,66 @@ function withControls(edit, number) {
 		default: return edit;
 	}
 }
+// www/block/state/carrying.ts
+var NO_PLACES_AGAIN = {
+	held: 0,
+	lost: 0,
+	edits: 0
+};
+function carriedOver({ edits, done }, before, after, sameTiePoints = false, again = []) {
+	const steps = edits.map((step) => [...step]);
+	const carried = carried_steps({
+		steps,
+		done,
+		before: numbered(before),
+		after: numbered(after),
+		same_tie_points: sameTiePoints,
+		again: [...again]
+	});
+	return {
+		history: {
+			edits: carried.steps,
+			done: carried.left[done] ?? carried.steps.length
+		},
+		left: carried.left,
+		lost: carried.lost,
+		places: {
+			held: carried.places_held,
+			lost: carried.places_lost,
+			edits: carried.lost_for_places
+		},
+		aside: carried.aside.flatMap((step) => edits.slice(step, step + 1))
+	};
+}
+function numbered({ images, surveyed, connected, givenControl, system }) {
+	const pairs = [...connected].map((pair) => {
+		const [a = -1, b = -1] = pair.split(",").map(Number);
+		return [a, b];
+	});
+	return {
+		images: [...images],
+		surveyed: [...surveyed],
+		connected: pairs,
+		found: givenControl,
+		system
+	};
+}
 // www/block/state/naming.ts
 var NO_NAMES = {
 	images: [],
 	surveyed: new Map(),
 	connected: new Set(),
-	givenControl: 0
+	givenControl: 0,
+	system: null
 };
-function namesOf$1({ images, surveyed, connections, givenControl }) {
+function namesOf$1({ images, surveyed, connections, givenControl, crs }) {
 	const connected = connections.filter(({ outcome }) => outcome.kind === "connected").map((pair) => keyOfPair(pair.images));
 	return {
 		images: images.map(({ name }) => name),
 		surveyed: new Map(surveyed.map(({ control, name }) => [control, name])),
 		connected: new Set(connected),
-		givenControl
+		givenControl,
+		system: crs
 	};
 }
 var isPlace = (name) => /^orthophoto_\d+$/u.test(name);
@@ -2197,196 +2231,6 @@ function inImage(image, { images }) {
 	const name = images[image];
 	return name === void 0 ? "" : say("in-image", { name });
 }
-// www/block/state/carrying.ts
-var NO_PLACES_AGAIN = {
-	held: 0,
-	lost: 0,
-	edits: 0
-};
-function carriedOver({ edits: steps, done }, before, after, sameTiePoints = false, again = []) {
-	const carrier = new Carrier(before, after, sameTiePoints, again);
-	const edits = [];
-	const left = [0];
-	const aside = [];
-	let lost = 0;
-	let places = null;
-	steps.forEach((step, place) => {
-		if (place === done) places = carrier.ofPlaces();
-		const own = carrier.step(step, place >= done);
-		if (own.length > 0) edits.push(own);
-		else if (place >= done) aside.push(step);
-		if (place < done) lost += step.length - own.length;
-		left.push(edits.length);
-	});
-	return {
-		history: {
-			edits,
-			done: left[done] ?? edits.length
-		},
-		left,
-		lost,
-		places: places ?? carrier.ofPlaces(),
-		aside
-	};
-}
-var Carrier = class {
-	before;
-	after;
-	sameTiePoints;
-	places;
-	surveyed;
-	numbers = [];
-	added = 0;
-	controls = [];
-	placed = 0;
-	again;
-	measured = new Set();
-	held = new Set();
-	notHeld = new Set();
-	lostForPlaces = 0;
-	isPlaceLost = false;
-	constructor(before, after, sameTiePoints, again) {
-		this.before = before;
-		this.after = after;
-		this.sameTiePoints = sameTiePoints;
-		this.again = new Map(again.map((one) => [one.before, one]));
-		this.places = new Map(after.images.map((name, image) => [name, image]));
-		this.surveyed = new Map([...after.surveyed].map(([control, name]) => [name, control]));
-	}
-	ofPlaces() {
-		return {
-			held: this.held.size,
-			lost: this.notHeld.size,
-			edits: this.lostForPlaces
-		};
-	}
-	step(step, whole) {
-		const [first, added, firstControl, placed] = [
-			this.numbers.length,
-			this.added,
-			this.controls.length,
-			this.placed
-		];
-		const own = step.flatMap((edit) => {
-			this.isPlaceLost = false;
-			const there = this.carried(edit);
-			if (there.length === 0 && this.isPlaceLost) this.lostForPlaces += 1;
-			return there;
-		});
-		if (!whole || own.length === step.length) return own;
-		this.numbers.fill(-1, first);
-		this.added = added;
-		this.controls.fill(-1, firstControl);
-		this.placed = placed;
-		return [];
-	}
-	carried(edit) {
-		switch (edit.kind) {
-			case "reject_images":
-			case "restore_images": {
-				const images = edit.images.map((image) => this.image(image)).filter((image) => image >= 0);
-				return images.length === 0 ? [] : [{
-					...edit,
-					images
-				}];
-			}
-			case "reject_pairs":
-			case "restore_pairs": {
-				const pairs = edit.pairs.map(([a, b]) => [this.image(a), this.image(b)]).filter((pair) => this.after.connected.has(keyOfPair(pair)));
-				return pairs.length === 0 ? [] : [{
-					...edit,
-					pairs
-				}];
-			}
-			case "add_point": return this.add(edit.observations);
-			case "measure": {
-				const [[point], image] = [this.points([edit.point], (place) => place.is_same_spot), this.image(edit.image)];
-				if (point === void 0 || image < 0) return [];
-				if ("ground_control" in edit.point) this.measured.add(keyOf(edit.point.ground_control, image));
-				return [{
-					...edit,
-					point,
-					image
-				}];
-			}
-			case "reject_points":
-			case "restore_points": {
-				const points = this.points(edit.points);
-				return points.length === 0 ? [] : [{
-					...edit,
-					points
-				}];
-			}
-			case "reject_observations":
-			case "restore_observations": {
-				const observations = edit.observations.flatMap((one) => {
-					const image = this.image(one.image);
-					const [point] = this.points([one.point], (place) => place.images.includes(image) || this.measured.has(keyOf(place.before, image)));
-					return point === void 0 || image < 0 ? [] : [{
-						point,
-						image
-					}];
-				});
-				return observations.length === 0 ? [] : [{
-					...edit,
-					observations
-				}];
-			}
-			case "add_control":
-				this.controls.push(this.after.givenControl + this.placed);
-				this.placed += 1;
-				return [edit];
-			case "set_use": {
-				const [point] = this.points([{ ground_control: edit.point }]);
-				return point !== void 0 && "ground_control" in point ? [{
-					...edit,
-					point: point.ground_control
-				}] : [];
-			}
-		}
-	}
-	add(measurements) {
-		const observations = measurements.map((one) => ({
-			...one,
-			image: this.image(one.image)
-		})).filter(({ image }) => image >= 0);
-		const stays = observations.length >= 2;
-		this.numbers.push(stays ? this.added : -1);
-		if (!stays) return [];
-		this.added += 1;
-		return [{
-			kind: "add_point",
-			observations
-		}];
-	}
-	image(image) {
-		return this.places.get(this.before.images[image] ?? "") ?? -1;
-	}
-	control(control) {
-		if (control >= this.before.givenControl) return this.controls[control - this.before.givenControl] ?? -1;
-		return this.surveyed.get(this.before.surveyed.get(control) ?? "") ?? -1;
-	}
-	points(points, holds = () => true) {
-		return points.flatMap((point) => {
-			if ("tie_point" in point) return this.sameTiePoints ? [point] : [];
-			if ("manual" in point) {
-				const number = this.numbers[point.manual] ?? -1;
-				return number < 0 ? [] : [{ manual: number }];
-			}
-			if (isPlace(this.before.surveyed.get(point.ground_control) ?? "")) return this.place(point.ground_control, holds);
-			const control = this.control(point.ground_control);
-			return control < 0 ? [] : [{ ground_control: control }];
-		});
-	}
-	place(control, holds) {
-		const place = this.again.get(control);
-		const isHeld = place !== void 0 && holds(place);
-		(isHeld ? this.held : this.notHeld).add(control);
-		if (!isHeld) this.isPlaceLost = true;
-		return isHeld ? [{ ground_control: place.now }] : [];
-	}
-};
-var keyOf = (control, image) => `${String(control)} ${String(image)}`;
 // www/block/state/removing.ts
 var LEAST_IMAGES = 2;
 var idsRemoved = remember(({ edits, done }) => new Set(edits.slice(0, done).flatMap((step) => step.kind === "remove_images" ? step.files : [])));
@@ -2579,36 +2423,31 @@ var NOTHING_CARRIED = {
 	places: NO_PLACES_AGAIN,
 	aside: []
 };
-function carried({ history, marks, shown, former }, view) {
+function carried(state, view) {
+	const { history, marks, shown, former } = state;
 	if (shown === null || history.edits.length === 0 && former.length === 0) return keptOf(NOTHING_CARRIED, marks, NO_NAMES);
-	const names = namesOf$1(shown.found);
-	const [before, after] = [shown.tiePoints, nameOfTiePoints(view)];
-	const isSame = before === after;
-	const way = isSame ? [] : wayBack(former, after, history);
+	const after = nameOfTiePoints(view);
+	const way = shown.tiePoints === after ? [] : wayBack(former, after, history);
 	const [last] = way.slice(-1);
 	if (last !== void 0) {
-		const back = way.reduce((steps, one) => {
-			const places = placesBefore(one, steps.edits);
-			return besideEdits(steps, (place, at) => places[at] ?? place);
-		}, marks);
-		const regained = {
-			...carriedOver(last.history, last.names, namesOf$1(view), true),
-			places: NO_PLACES_AGAIN
-		};
+		const back = way.reduce((steps, one) => marksBefore(one, steps), marks);
+		const regained = carriedOver(last.history, last.names, namesOf$1(view), true);
 		if (regained.lost + regained.aside.length > 0 || last.names.givenControl !== view.givenControl) {
-			const { edits, said } = keptOf(regained, back, last.names);
+			const { edits, said, ofPlaces } = keptMeanwhile(regained, back, last.names);
 			const places = back.edits.map((step) => step.after);
+			const awaiting = {
+				...last,
+				kept: regained.history,
+				left: regained.left,
+				places,
+				sameTiePoints: true,
+				ofPlaces
+			};
 			return {
 				edits: {
 					...edits,
 					former,
-					awaiting: {
-						...last,
-						kept: regained.history,
-						left: regained.left,
-						places,
-						sameTiePoints: true
-					}
+					awaiting
 				},
 				said
 			};
@@ -2623,41 +2462,74 @@ function carried({ history, marks, shown, former }, view) {
 			said: saidOfKept(last.history)
 		};
 	}
-	const found = {
-		...carriedOver(history, names, namesOf$1(view), isSame),
-		places: NO_PLACES_AGAIN
+	const waiting = awaitedOf(state);
+	const now = {
+		tiePoints: shown.tiePoints,
+		names: namesOf$1(shown.found),
+		history,
+		spots: shown.ground?.places ?? null
 	};
+	const { tiePoints, names, history: steps, spots } = waiting ?? now;
+	const beside = waiting === null ? marks : marksBefore(waiting, marks);
+	const isSame = tiePoints === after;
+	const found = carriedOver(steps, names, namesOf$1(view), isSame);
 	if (isSame && found.lost + found.aside.length === 0 && names.givenControl === view.givenControl) return {
 		edits: {
 			...UNEDITED,
 			former,
-			history,
-			marks
+			history: steps,
+			marks: beside
 		},
-		said: saidOfKept(history)
+		said: saidOfKept(steps)
 	};
-	const { edits, said } = keptOf(found, marks, names);
-	const places = marks.edits.map((step) => step.after);
+	const { edits, said, ofPlaces } = keptMeanwhile(found, beside, names);
+	const places = beside.edits.map((step) => step.after);
 	const one = {
-		tiePoints: before,
+		tiePoints,
 		names,
-		history,
+		history: steps,
 		kept: found.history,
 		left: found.left,
 		places,
-		spots: shown.ground?.places ?? null
-	};
-	const awaiting = {
-		...one,
-		sameTiePoints: isSame
+		spots
 	};
 	return {
 		edits: {
 			...edits,
-			former: before === "" ? [] : withFormer(former, one),
-			awaiting
+			former: tiePoints === "" ? [] : withFormer(former, one),
+			awaiting: {
+				...one,
+				sameTiePoints: isSame,
+				ofPlaces
+			}
 		},
 		said
+	};
+}
+function keptMeanwhile(found, marks, names) {
+	const ofPlaces = found.places.edits;
+	const { edits, said } = keptOf({
+		...found,
+		places: {
+			...NO_PLACES_AGAIN,
+			edits: ofPlaces
+		}
+	}, marks, names);
+	return {
+		edits,
+		said: [said, ofPlaces === 0 ? "" : say("edits-of-places-wait", { edits: ofPlaces })].filter((part) => part !== "").join(" "),
+		ofPlaces
+	};
+}
+function awaitingAgain(former, history, shown) {
+	const last = former.at(-1);
+	if (last === void 0 || last.spots === null || shown === null || shown.ground !== null) return null;
+	if (last.kept.edits !== history.edits || last.kept.done !== history.done) return null;
+	const ofPlaces = editsInForce(last.history).length - editsInForce(history).length;
+	return {
+		...last,
+		sameTiePoints: last.tiePoints === shown.tiePoints,
+		ofPlaces: Math.max(0, ofPlaces)
 	};
 }
 function saidOfKept(history) {
@@ -2668,6 +2540,8 @@ function carriedToGround(state, view, isOff, again) {
 	const awaited = isOff ? null : awaitedOf(state);
 	if (awaited !== null) return arrived(awaited, state, view, again);
 	const { history, marks, shown, former } = state;
+	const gone = isOff ? 0 : state.awaiting?.ofPlaces ?? 0;
+	const saidOfGone = gone === 0 ? "" : say("of-points-of-the-former", { lost: gone });
 	const names = shown === null ? NO_NAMES : namesOf$1(shown.found);
 	const isSame = names.givenControl === view.givenControl && withoutPlaces(names).surveyed.size === names.surveyed.size;
 	const found = isSame ? allCarried(history) : carriedOver(history, names, withoutPlaces(namesOf$1(view)), true, again);
@@ -2682,7 +2556,7 @@ function carriedToGround(state, view, isOff, again) {
 			history,
 			marks
 		},
-		said: ""
+		said: saidOfGone
 	};
 	const ofPlaces = isOff ? NO_PLACES_AGAIN : found.places;
 	const now = {
@@ -2697,14 +2571,17 @@ function carriedToGround(state, view, isOff, again) {
 			...edits,
 			former: formerOf(former, history, now.history, now.left)
 		},
-		said: [said, aside === 0 ? "" : say("places-set-aside", { steps: aside })].filter((part) => part !== "").join(" ")
+		said: [
+			said,
+			saidOfGone,
+			aside === 0 ? "" : say("places-set-aside", { steps: aside })
+		].filter((part) => part !== "").join(" ")
 	};
 }
 function arrived(awaited, { marks, former }, view, again) {
 	const { history, names, sameTiePoints } = awaited;
 	const found = carriedOver(history, names, withoutPlaces(namesOf$1(view)), sameTiePoints, again);
-	const places = placesBefore(awaited, marks.edits);
-	const { edits, said } = keptOf(found, besideEdits(marks, (after, at) => places[at] ?? after), names);
+	const { edits, said } = keptOf(found, marksBefore(awaited, marks), names);
 	const ofIt = former.map((one) => one.history === history ? {
 		...one,
 		kept: found.history,
@@ -2717,6 +2594,10 @@ function arrived(awaited, { marks, former }, view, again) {
 		},
 		said
 	};
+}
+function marksBefore(former, marks) {
+	const places = placesBefore(former, marks.edits);
+	return besideEdits(marks, (after, at) => places[at] ?? after);
 }
 function allCarried(history) {
 	return {
@@ -3110,10 +2991,6 @@ function blockOnOrthophoto(state) {
 }
 function isInSystemOf({ orthophoto }) {
 	return orthophoto?.kind === "linked" || orthophoto?.kind === "by_hand";
-}
-function onOrthophotoText({ view: { orthophoto }, edits }) {
-	if (orthophoto === null) return "";
-	return orthophoto.kind === "linked" && edits.length > 0 ? say("as-it-was-placed", { text: orthophoto.text }) : orthophoto.text;
 }
 function toSystemOf(orthophoto, view) {
 	if (view.orthophoto?.inCrs !== true) return SAME;
@@ -4515,14 +4392,25 @@ var BlockFiles = class {
 		this.waiting = waits;
 		keepChoice(WAITS, waits ? "yes" : "no");
 	}
-	async take(given, why = "") {
-		await this.left();
+	take(given, why = "") {
+		return this.takeHere(given.map(({ file }) => file.name), (here) => this.takeKinds(given, why, here));
+	}
+	takeHere(names, take) {
+		const tell = () => this.tell("info", say("were-not-taken-the-project", {
+			files: names.length,
+			names: namesText(names)
+		}));
+		return takeHere(this.left, take, tell);
+	}
+	async takeKinds(given, why, here) {
 		const before = this.store.state.notice;
 		const kinds = await refusedKinds(given.map(({ file }) => file));
 		const unread = kindsText(kinds);
 		const { others: found, taken, degrees, ...rasters } = asGiven(await sortRasters(given.filter(({ file }) => !kinds.has(file))));
+		here();
 		const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
 		const ground = await this.ground.take(rasters);
+		here();
 		const several = taken === 0 ? "" : say("that-say-where-they-lie", { taken: images$1(taken) });
 		if (ground === null) {
 			if (unread !== "") this.tellBeside(this.store.state.notice, unread);
@@ -4531,6 +4419,7 @@ var BlockFiles = class {
 		const alone = found.filter(({ path }) => path === "");
 		const project = alone.find(({ file }) => PROJECT.test(file.name));
 		const film = await this.takeFilm(alone.map(({ file }) => file));
+		here();
 		const said = [
 			ground,
 			several,
@@ -4540,9 +4429,11 @@ var BlockFiles = class {
 		const geoid = alone.find(({ file }) => GEOID.test(file.name));
 		const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith("image/"));
 		if (project !== void 0) await this.openProject(project.file);
+		here();
 		if (geoid !== void 0) this.takeGeoid(geoid.file);
 		const notCameras = cameras === void 0 ? "" : await this.takeCameras(cameras.file, photos);
 		const tables = await this.takeTables(alone.map(({ file }) => file).filter((file) => TABLE.test(file.name) && !film.files.has(file)), photos);
+		here();
 		const aside = found.length - photos.length - film.files.size - tables.count - [
 			project,
 			cameras,
@@ -4563,12 +4454,16 @@ var BlockFiles = class {
 		if (given.length > 0 && kinds.size === given.length) this.tellUnread(unread);
 		else this.tellBeside(notice === before ? null : notice, putAside);
 	}
-	async takeGround(given, asHeights = false) {
+	takeGround(given, asHeights = false) {
+		return this.takeHere(given.map(({ name }) => name), (here) => this.takeRasters(given, asHeights, here));
+	}
+	async takeRasters(given, asHeights, here) {
 		const kinds = await refusedKinds(given);
 		const { others, ...sorted } = await sortRasters(given.filter((file) => !kinds.has(file)).map((file) => ({
 			file,
 			path: ""
 		})));
+		here();
 		const unknown = others.map(({ file }) => ({
 			file,
 			world: null,
@@ -4586,9 +4481,11 @@ var BlockFiles = class {
 			worlds: sorted.worlds,
 			projections: sorted.projections
 		});
+		here();
 		await this.said(text, kindsText(kinds));
 	}
 	async takeLevel(height) {
+		await this.left();
 		await this.said(await this.ground.takeLevel(height));
 	}
 	async said(text, unread = "") {
@@ -4605,54 +4502,69 @@ var BlockFiles = class {
 		else if (awaitsFrames(state.placing.film, state.files)) return;
 		else if (state.files.length >= 2 && !asksPurpose(state)) await this.runs.run();
 	}
-	async give(files, masks) {
-		await this.take(files.map((file) => ({
-			file,
-			path: ""
-		})), say("more-than-two-images-are"));
-		if (masks.length > 0) this.takeMasks(masks);
+	give(files, masks) {
+		return this.takeHere([...files, ...masks].map(({ name }) => name), async (here) => {
+			await this.takeKinds(files.map((file) => ({
+				file,
+				path: ""
+			})), say("more-than-two-images-are"), here);
+			if (masks.length > 0) this.takeMasks(masks);
+		});
 	}
-	async sample(flight) {
-		if (await this.simulate(flight)) await this.runs.run();
+	sample(flight) {
+		return this.takeHere([say("simulated-block")], async (here) => {
+			if (await this.simulate(flight, here)) await this.runs.run();
+		});
 	}
-	async sampleOnOrthophoto(flight, gsd) {
-		if (!await this.simulate(flight)) return;
-		this.tell("busy", say("making-the-orthophoto-of-the"));
-		try {
-			const { picture, heights } = await this.placing.scene(flight, gsd);
-			const rasters = {
-				orthophotos: [{
-					file: new File([picture], "orthophoto.tif"),
-					world: null,
-					projection: null
-				}],
-				heights: [{
-					file: new File([heights], "heights.tif"),
-					world: null,
-					projection: null
-				}],
-				worlds: [],
-				projections: []
-			};
-			if (await this.ground.take(rasters) !== null) await this.runs.placeImages();
-		} catch (error) {
-			this.failed(say("the-orthophoto-could-not-be"), error);
-		}
+	sampleOnOrthophoto(flight, gsd) {
+		return this.takeHere([say("simulated-block")], async (here) => {
+			if (!await this.simulate(flight, here)) return;
+			this.tell("busy", say("making-the-orthophoto-of-the"));
+			try {
+				const { picture, heights } = await this.placing.scene(flight, gsd);
+				here();
+				const rasters = {
+					orthophotos: [{
+						file: new File([picture], "orthophoto.tif"),
+						world: null,
+						projection: null
+					}],
+					heights: [{
+						file: new File([heights], "heights.tif"),
+						world: null,
+						projection: null
+					}],
+					worlds: [],
+					projections: []
+				};
+				const taken = await this.ground.take(rasters);
+				here();
+				if (taken !== null) await this.runs.placeImages();
+			} catch (error) {
+				this.failed(say("the-orthophoto-could-not-be"), error, here);
+			}
+		});
 	}
-	async photograph() {
-		const { flight } = this.store.state;
-		if (flight === null || !await this.simulate(flight)) return;
-		if (this.waits) this.tell("info", say("photos-of-a-simulated-block", { files: this.store.state.files.length }));
-		else await this.runs.run();
+	photograph() {
+		return this.takeHere([say("simulated-block")], async (here) => {
+			const { flight } = this.store.state;
+			if (flight === null || !await this.simulate(flight, here)) return;
+			if (this.waits) this.tell("info", say("photos-of-a-simulated-block", { files: this.store.state.files.length }));
+			else await this.runs.run();
+		});
 	}
-	async simulate(flight) {
+	async simulate(flight, here) {
 		this.tell("busy", say("building-the-synthetic-scene"));
 		try {
-			const { files, truth } = await this.engine.photograph(flight, (count, of) => this.tell("busy", say("photographing-the-simulated-block-of", {
-				count,
-				of
-			})));
-			const stays = await this.leave(say("photograph-another-block"));
+			const { files, truth } = await this.engine.photograph(flight, (count, of) => {
+				here();
+				this.tell("busy", say("photographing-the-simulated-block-of", {
+					count,
+					of
+				}));
+			});
+			here();
+			const stays = await this.leave(say("photograph-another-block"), here);
 			if (stays === null) {
 				this.store.dispatch({
 					type: "notice",
@@ -4671,7 +4583,7 @@ var BlockFiles = class {
 			});
 			return true;
 		} catch (error) {
-			this.failed(say("the-block-could-not-be"), error);
+			this.failed(say("the-block-could-not-be"), error, here);
 			return false;
 		}
 	}
@@ -4804,33 +4716,37 @@ var BlockFiles = class {
 		}));
 		else this.tell("problem", say("the-block-cannot-be-run", { problem: sentence(problem) }));
 	}
-	async open(file) {
-		this.tell("busy", say("reading", { name: file.name }));
-		try {
-			const { view, edits, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
-			const edited = await this.leave(say("open-the-other-project"));
-			if (edited === null) {
+	open(file) {
+		return this.takeHere([file.name], async (here) => {
+			this.tell("busy", say("reading", { name: file.name }));
+			try {
+				const { view, edits, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
+				here();
+				const edited = await this.leave(say("open-the-other-project"), here);
+				if (edited === null) {
+					this.store.dispatch({
+						type: "notice",
+						notice: null
+					});
+					return;
+				}
+				const stays = edited || this.store.state.shown !== null && await this.putAside();
+				here();
+				hold();
 				this.store.dispatch({
-					type: "notice",
-					notice: null
+					type: "openedFile",
+					view,
+					edits
 				});
-				return;
+				const former = stays ? say("the-former-block-stays-under") : "";
+				this.tell("info", say("was-opened-the-file-does", {
+					name: file.name,
+					former
+				}));
+			} catch (error) {
+				this.failed(say("cannot-be-opened", { name: file.name }), error, here);
 			}
-			const stays = edited || this.store.state.shown !== null && await this.putAside();
-			hold();
-			this.store.dispatch({
-				type: "openedFile",
-				view,
-				edits
-			});
-			const former = stays ? say("the-former-block-stays-under") : "";
-			this.tell("info", say("was-opened-the-file-does", {
-				name: file.name,
-				former
-			}));
-		} catch (error) {
-			this.failed(say("cannot-be-opened", { name: file.name }), error);
-		}
+		});
 	}
 	async decide(purpose) {
 		this.store.dispatch({
@@ -4881,12 +4797,14 @@ var BlockFiles = class {
 		const what = shown === null ? say("project") : isEdited ? say("edited-block") : say("oriented-block");
 		if (stays) this.tell("info", say("the-stays-under-projects", { what }));
 	}
-	async leave(step) {
+	async leave(step, here = () => void 0) {
 		const { shown, truth, history, marks, placing } = this.store.state;
 		const length = history.edits.length + marks.edits.length;
 		const isFound = shown !== null && !shown.view.partial && shown.view.oriented > 0 && truth === null;
 		if (length === 0 && placing.placed.size === 0 && !isFound) return false;
-		if (await this.putAside()) return true;
+		const stays = await this.putAside();
+		here();
+		if (stays) return true;
 		const what = placing.placed.size > 0 ? say("what-was-placed-on-the") : say("the-block-of-these-photos");
 		const edits = length === 0 ? what : length === 1 ? say("the-edit-by-hand-of") : say("the-edits-by-hand-of", { length });
 		return window.confirm(say("cannot-be-kept-in-this", {
@@ -4977,7 +4895,8 @@ var BlockFiles = class {
 		const { running, placing } = this.store.state;
 		return running.kind === "yes" || placing.running !== null;
 	}
-	failed(what, error) {
+	failed(what, error, here) {
+		here();
 		if (error instanceof Cancelled) this.tell("info", say("cancelled-nothing-was-changed"));
 		else this.tell("problem", say("the-block-is-unchanged", {
 			what,
@@ -5291,13 +5210,14 @@ function formerFrom(parts, history) {
 	});
 }
 function namesFrom(value, name) {
-	const { images, surveyed, connected, givenControl } = objectOf(value, name);
+	const { images, surveyed, connected, givenControl, system } = objectOf(value, name);
 	if (!(surveyed instanceof Map && connected instanceof Set)) throw new Error(say("the-field-is-damaged", { name }));
 	return {
 		images: listOf$1(images, `${name}.images`, (image, at) => likeOf(image, "", at)),
 		surveyed: new Map([...surveyed].map(([point, called]) => [likeOf(point, 0, `${name}.surveyed`), likeOf(called, "", `${name}.surveyed`)])),
 		connected: new Set([...connected].map((pair) => likeOf(pair, "", `${name}.connected`))),
-		givenControl: likeOf(givenControl, 0, `${name}.givenControl`)
+		givenControl: likeOf(givenControl, 0, `${name}.givenControl`),
+		system: orNull(system ?? null, (own) => likeOf(own, "", `${name}.system`))
 	};
 }
 function placesFrom(value, name) {
@@ -6772,7 +6692,7 @@ function reduced(state, action) {
 		};
 		case "refused": return {
 			...state,
-			refused: action.label,
+			refused: action.parameter,
 			notice: state.notice?.kind === "busy" ? state.notice : null
 		};
 		case "flight": return {
@@ -6832,7 +6752,8 @@ function reduced(state, action) {
 			return {
 				...state,
 				placing,
-				notice: isSet ? null : state.notice
+				notice: isSet ? null : state.notice,
+				refused: action.type === "placingOptions" ? null : state.refused
 			};
 		}
 		case "openedPair": return {
@@ -6870,12 +6791,17 @@ function reduced(state, action) {
 				ground: null
 			}
 		};
-		case "restored": return {
-			...BLOCK_INITIAL,
-			catalogue: state.catalogue,
-			...action.restored,
-			onStage: viewOf(action.restored)
-		};
+		case "restored": {
+			const { former, history, shown } = action.restored;
+			const awaiting = awaitingAgain(former, history, shown);
+			return {
+				...BLOCK_INITIAL,
+				catalogue: state.catalogue,
+				...action.restored,
+				awaiting,
+				onStage: viewOf(action.restored)
+			};
+		}
 		case "cleared": return state.catalogue === null ? state : reduceBlock(BLOCK_INITIAL, {
 			type: "ready",
 			catalogue: state.catalogue
@@ -12666,9 +12592,9 @@ function mountPlacingSettings(host, store, files, engine) {
 				});
 			},
 			defaults: () => ({ placing: catalogue.placing }),
-			refused: (label) => store.dispatch({
+			refused: (parameter) => store.dispatch({
 				type: "refused",
-				label
+				parameter
 			})
 		});
 		fill(host, given, filmFields(store, engine), ...sections.elements);
@@ -13816,7 +13742,7 @@ function sectionsOf(shown, off, written) {
 function onGround(shown, off, written) {
 	const { view, ground } = shown;
 	if (view.orthophoto === null) return null;
-	return section(say("orthophoto"), "block-on-orthophoto", h("p", {}, written(onOrthophotoText(shown))), ground === null ? null : h("p", { class: "buttons" }, off));
+	return section(say("orthophoto"), "block-on-orthophoto", h("p", {}, written(view.orthophoto.text)), ground === null ? null : h("p", { class: "buttons" }, off));
 }
 function placedOf(state) {
 	const tried = placedFiles(state);
@@ -14066,9 +13992,9 @@ function mountSettings(host, store, files, opener) {
 				});
 			},
 			defaults: () => defaults,
-			refused: (label) => store.dispatch({
+			refused: (parameter) => store.dispatch({
 				type: "refused",
-				label
+				parameter
 			})
 		}, {
 			title: say("method"),
@@ -14375,7 +14301,7 @@ function mountBlockStatus(store, actions, details) {
 	const show = answerCard(card, line, buttons, "block-");
 	store.watch((s) => [s], ([state]) => {
 		const { catalogue } = state;
-		const answer = offeringSetting(readableAnswer(doubted(answerOf(state, actions), doubtOf(state)), catalogue?.labels ?? null), catalogue, actions);
+		const answer = readableAnswer(doubted(offeringSetting(answerOf(state, actions), catalogue, actions), doubtOf(state)), catalogue?.labels ?? null);
 		line.setAttribute("aria-live", answer.kind === "busy" ? "off" : "polite");
 		show(answer);
 		run.disabled = isBusy(state) || (places(state) ? unplacedFiles(state).length === 0 : state.files.length < 2);
@@ -14394,15 +14320,18 @@ function readableAnswer({ text, more, said, problem, ...answer }, labels) {
 		...problem === void 0 ? {} : { problem: readable(labels, problem) }
 	};
 }
-function offeringSetting(answer, catalogue, { openSetting }) {
-	if (answer.kind !== "problem" || answer.next != null) return answer;
-	const named = catalogue?.parameters.find(({ label }) => answer.text.includes(`“${label}”`));
-	return named === void 0 ? answer : {
+function offeringSetting(answer, catalogue, actions) {
+	if (answer.kind !== "problem" || answer.next != null || catalogue === null) return answer;
+	const named = firstNamed([...catalogue.parameters, ...catalogue.placingParameters], answer.text);
+	return named === null ? answer : {
 		...answer,
-		next: {
-			text: say("open-the-setting", { label: named.label }),
-			act: () => openSetting(named.key)
-		}
+		next: openField(named, actions)
+	};
+}
+function openField({ key, label }, { openSetting }) {
+	return {
+		text: say("open-the-setting", { label }),
+		act: () => openSetting(key)
 	};
 }
 function doubted(answer, doubt) {
@@ -14520,7 +14449,10 @@ function answerOf(state, actions) {
 			others
 		};
 	}
-	if (state.refused !== null) return line("problem", refusedText(state.refused));
+	if (state.refused !== null) return {
+		...line("problem", refusedText(state.refused.label)),
+		next: openField(state.refused, actions)
+	};
 	if (asksPurpose(state) && state.placing.orthophoto !== null) return offering(state, actions, besideVerdict(state, actions, orthophotoText(state.placing.orthophoto)));
 	if (isOfGround(state)) return placed(state, actions);
 	if (running.kind === "ended") {
@@ -14587,7 +14519,7 @@ function answered(state, shown, actions) {
 			kind: sound ? "done" : "partial",
 			verdict: view.verdict?.kind ?? "weak",
 			text: view.verdict?.text ?? "",
-			more: view.orthophoto !== null && isInSystemOf(view) ? onOrthophotoText(shown) : countsOf(shown),
+			more: view.orthophoto !== null && isInSystemOf(view) ? view.orthophoto.text : countsOf(shown),
 			figures: figuresOf(view),
 			next: sound ? next : why
 		};
@@ -14800,11 +14732,11 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	}));
 	main.append(near.element);
 	store.watch(["notice"], ([notice]) => near.show(notice));
-	store.watch(({ files: given, placing: { orthophoto, options }, options: { positions } }) => [
-		given,
-		orthophoto?.raster ?? null,
-		options,
-		positions
+	store.watch((s) => [
+		s.files,
+		s.placing.orthophoto?.raster ?? null,
+		s.placing.options,
+		givenPositions(s)
 	], () => void placing.lookElsewhere());
 	new EditFollower(store, engine);
 	mountAddress(store, modes, beside);

@@ -222,8 +222,8 @@ var FinishedBlock = class FinishedBlock {
 		const ret = wasm.finishedblock_export(this.__wbg_ptr, format, emit);
 		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 	}
-	files(formats, score) {
-		const ret = wasm.finishedblock_files(this.__wbg_ptr, formats, score);
+	files(formats, score, language) {
+		const ret = wasm.finishedblock_files(this.__wbg_ptr, formats, score, isLikeNone(language) ? 0 : addToExternrefTable0(language));
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return BlockWriting.__wrap(ret[0]);
 	}
@@ -552,11 +552,11 @@ var Report = class {
 		const ptr = this.__destroy_into_raw();
 		if (ptr !== 0) wasm.__wbg_report_free(ptr, 0);
 	}
-	html() {
+	html(language) {
 		let deferred2_0;
 		let deferred2_1;
 		try {
-			const ret = wasm.report_html(this.__wbg_ptr);
+			const ret = wasm.report_html(this.__wbg_ptr, isLikeNone(language) ? 0 : addToExternrefTable0(language));
 			var ptr1 = ret[0];
 			var len1 = ret[1];
 			if (ret[3]) {
@@ -585,8 +585,10 @@ var Report = class {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return ret[0] !== 0;
 	}
-	steps() {
-		return wasm.report_steps(this.__wbg_ptr);
+	steps(language) {
+		const ret = wasm.report_steps(this.__wbg_ptr, isLikeNone(language) ? 0 : addToExternrefTable0(language));
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
 	}
 };
 if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
@@ -702,6 +704,11 @@ function camera_of_exif(exif) {
 }
 function camera_of_focal_px(focal_px) {
 	const ret = wasm.camera_of_focal_px(focal_px);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+function carried_steps(carrying) {
+	const ret = wasm.carried_steps(carrying);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -1662,9 +1669,9 @@ function afterFrame(callback) {
 	};
 }
 // www/shared/panel/drawers.ts
-var NAME$3 = "tiepoint-open";
+var NAME$4 = "tiepoint-open";
 var AT_FIRST = window.innerHeight >= 900 && window.innerWidth >= 1180 ? "table" : "";
-var open$2 = new Set((keptChoice(NAME$3) ?? AT_FIRST).split(" "));
+var open$2 = new Set((keptChoice(NAME$4) ?? AT_FIRST).split(" "));
 var watchers = [];
 var OVER = window.matchMedia("(width < 1180px)");
 var ROOM = window.matchMedia("(width >= 1500px)");
@@ -1687,7 +1694,7 @@ function setDrawer(drawer, wanted) {
 	if (wanted) open$2.add(drawer);
 	else open$2.delete(drawer);
 	if (wanted && !ROOM.matches) for (const other of BESIDE$1[drawer] ?? []) open$2.delete(other);
-	keepChoice(NAME$3, [...open$2].filter((name) => name !== "").join(" "));
+	keepChoice(NAME$4, [...open$2].filter((name) => name !== "").join(" "));
 	for (const callback of watchers) callback();
 }
 function uncoverPictures() {
@@ -2138,12 +2145,12 @@ function cameraFrom(camera, origin) {
 	});
 }
 // www/shared/state/calibrations.ts
-var NAME$2 = "tiepoint-cameras";
+var NAME$3 = "tiepoint-cameras";
 var MOST = 50;
 var all = null;
 function read() {
 	try {
-		const kept = JSON.parse(keptChoice(NAME$2) ?? "[]");
+		const kept = JSON.parse(keptChoice(NAME$3) ?? "[]");
 		return Array.isArray(kept) ? kept.filter(isCalibration) : [];
 	} catch {
 		return [];
@@ -2166,7 +2173,7 @@ function remembered$1() {
 }
 function keep(kept) {
 	all = kept.slice(0, MOST);
-	keepChoice(NAME$2, JSON.stringify(all));
+	keepChoice(NAME$3, JSON.stringify(all));
 }
 var lensOf = ({ radial = [
 	0,
@@ -2288,8 +2295,8 @@ var MOVES = [
 		run: (movable) => movable.fit()
 	}
 ];
-function listen(host, movable, keyHost = host, takesAll = () => false) {
-	new Gestures(host, movable, keyHost, takesAll);
+function listen(host, movable, keyHost = host) {
+	new Gestures(host, movable, keyHost);
 }
 function listenKeys(host, command) {
 	host.addEventListener("keydown", (event) => {
@@ -2305,7 +2312,7 @@ var Gestures = class {
 	clicked = false;
 	encloses = false;
 	path = [];
-	constructor(host, movable, keyHost, takesAll) {
+	constructor(host, movable, keyHost) {
 		this.host = host;
 		this.movable = movable;
 		host.addEventListener("pointerdown", (event) => this.down(event));
@@ -2315,9 +2322,6 @@ var Gestures = class {
 		host.addEventListener("pointerleave", () => movable.pointed(null, false));
 		host.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
 		keyHost.addEventListener("keydown", (event) => this.key(event));
-		document.addEventListener("keydown", (event) => {
-			if (event.target === document.body && !event.defaultPrevented && document.querySelector("dialog[open]") === null && host.offsetParent !== null && takesAll()) this.key(event);
-		});
 	}
 	place(event) {
 		const box = this.host.getBoundingClientRect();
@@ -2584,6 +2588,42 @@ function save(blob, name) {
 	link.download = name;
 	link.click();
 	window.setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
+}
+// www/shared/files/leaving.ts
+var ProjectLeft = class extends Error {
+	name = "ProjectLeft";
+};
+var Leaving = class {
+	turns = Promise.resolve();
+	count = 0;
+	inTurn(way) {
+		const turn = this.turns.then(way);
+		this.turns = turn.catch(() => void 0);
+		return turn;
+	}
+	leave() {
+		this.count += 1;
+	}
+	async left() {
+		for (let turns = null; turns !== this.turns;) {
+			turns = this.turns;
+			await turns;
+		}
+		const { count } = this;
+		return () => {
+			if (this.count !== count) throw new ProjectLeft();
+		};
+	}
+};
+async function takeHere(left, take, tell) {
+	const here = await left();
+	try {
+		await take(here);
+	} catch (error) {
+		if (!(error instanceof ProjectLeft)) throw error;
+		await left();
+		tell();
+	}
 }
 // pkg/block/image-files.js
 var IMAGE_FILE = /\.(?:jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/iu;
@@ -3885,7 +3925,7 @@ function controlOf(parameter, { change, defaults, resolved, refused }) {
 		set: (value) => change(parameter.key, value),
 		standard: () => readSetting(defaults(), parameter.key),
 		whenEmpty: () => resolved === void 0 ? null : readSetting(resolved(), parameter.key),
-		refused: () => refused?.(parameter.label)
+		refused: () => refused?.(parameter)
 	});
 }
 function groupsOf(controls, made) {
@@ -5340,6 +5380,7 @@ var FILES = {
 };
 var IN_BRACKETS = /\(([^()]*--[a-z][^()]*)\)/gu;
 var OPTION = /`?\u200f?--([a-z]+(?:-[a-z]+)*)`?/gu;
+var NAME$2 = /--[a-z]+(?:-[a-z]+)*|[a-z_]+\.[a-z0-9_]+/gu;
 function readable(catalogue, message) {
 	const labels = new Map(Object.entries(OTHER$1));
 	for (const { key, label } of [...catalogue?.parameters ?? [], ...catalogue?.flightParameters ?? []]) labels.set(key, label);
@@ -5355,6 +5396,14 @@ function withSettings(catalogue, message) {
 		return settings === inner ? brackets : `(${say("named-settings", { settings })})`;
 	};
 	return labelled(message.replace(IN_BRACKETS, inBrackets));
+}
+function firstNamed(parameters, message) {
+	const named = new Map(parameters.flatMap((parameter) => [parameter.key, `--${optionName(parameter)}`].map((name) => [name, parameter])));
+	for (const [name] of message.matchAll(NAME$2)) {
+		const parameter = named.get(name);
+		if (parameter !== void 0) return parameter;
+	}
+	return null;
 }
 function quoted(label) {
 	return label === void 0 ? void 0 : `“${label}”`;
@@ -8042,6 +8091,7 @@ var info = (text) => ({
 	kind: "info",
 	text
 });
+var unchanged = () => info(say("cancelled-nothing-was-changed"));
 var done = (told) => ({
 	told,
 	isCancelled: false
@@ -8083,16 +8133,27 @@ var Files = class {
 	}
 	async take(files, side, asks = side === null) {
 		if (files.length === 0) return;
-		await this.elsewhere.left();
+		await this.takeHere(files.map(({ name }) => name), (here) => this.takeKinds(files, side, asks, here));
+	}
+	takeHere(names, take) {
+		const tell = () => this.tell([info(say("were-not-taken-the-project", {
+			files: names.length,
+			names: namesText(names)
+		}))]);
+		return takeHere(this.elsewhere.left, take, tell);
+	}
+	async takeKinds(files, side, asks, here) {
 		this.store.dispatch({
 			type: "notice",
 			notice: null
 		});
 		const refused = await refusedKinds(files);
+		here();
 		const { images, masks, tables, cameras, projects } = sortFiles(files.filter((file) => !refused.has(file)));
 		const [project] = projects;
 		if (project !== void 0) {
 			await this.openProject(project);
+			here();
 			const others = files.filter((file) => !projects.includes(file));
 			if (others.length > 0) await this.take(others, side, asks);
 			return;
@@ -8104,8 +8165,8 @@ var Files = class {
 		const before = this.store.state.images;
 		const told = refused.size === 0 ? [] : [problem(kindsText(refused))];
 		const camera = cameras[0];
-		if (camera !== void 0) told.push(await this.takeCamera(camera));
-		const { told: ofImages, isCancelled } = images.length > 0 ? await this.takeImages(images, side, asks) : {
+		if (camera !== void 0) told.push(await this.takeCamera(camera, here));
+		const { told: ofImages, isCancelled } = images.length > 0 ? await this.takeImages(images, side, asks, here) : {
 			told: [],
 			isCancelled: false
 		};
@@ -8121,44 +8182,49 @@ var Files = class {
 			], before);
 			return;
 		}
-		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
+		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i), here));
 		told.push(...ofImages);
 		if (camera === void 0) told.push(this.cameraStays(before));
-		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
+		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i), here));
 		this.tell(told, before);
 	}
-	async takeProject(file) {
-		this.store.dispatch({
-			type: "notice",
-			notice: {
-				kind: "busy",
-				text: say("reading", { name: file.name })
+	takeProject(file) {
+		return this.takeHere([file.name], async (here) => {
+			this.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "busy",
+					text: say("reading", { name: file.name })
+				}
+			});
+			try {
+				const opened = await readProject(this.engine, file, freshId);
+				const aside = await this.leave(hasMarks(this.store.state), here);
+				if (aside === null) return this.tell([unchanged()]);
+				this.store.dispatch({
+					type: "opened",
+					opened
+				});
+				this.tell([
+					info(say("was-opened-the-file-does-not", { name: file.name })),
+					editsToldOf(opened),
+					...aside
+				]);
+			} catch (error) {
+				this.tell([this.failed(say("cannot-be-opened", { name: file.name }), error, here)]);
 			}
 		});
-		try {
-			const opened = await readProject(this.engine, file, freshId);
-			const aside = await this.leave(hasMarks(this.store.state));
+	}
+	takeMask(file, side) {
+		return this.takeHere([file.name], async (here) => {
 			this.store.dispatch({
-				type: "opened",
-				opened
+				type: "notice",
+				notice: null
 			});
-			this.tell([
-				info(say("was-opened-the-file-does-not", { name: file.name })),
-				editsToldOf(opened),
-				aside
-			]);
-		} catch (error) {
-			this.tell([this.failed(say("cannot-be-opened", { name: file.name }), error)]);
-		}
-	}
-	async takeMask(file, side) {
-		this.store.dispatch({
-			type: "notice",
-			notice: null
+			this.tell([await this.readMask(file, side, here)]);
 		});
-		this.tell([await this.readMask(file, side)]);
 	}
-	async readMask(file, side) {
+	async readMask(file, side, here) {
 		const opened = this.store.state.images[side];
 		if (opened === null) return problem(say("is-a-mask-of-the", {
 			name: file.name,
@@ -8170,6 +8236,7 @@ var Files = class {
 				file,
 				overlaySide: MASK_SIDE
 			});
+			here();
 			if (mask.width !== photo.width || mask.height !== photo.height) return problem(say("has-px-the-image-px", {
 				name: file.name,
 				width: mask.width,
@@ -8197,38 +8264,42 @@ var Files = class {
 				side
 			}));
 		} catch (error) {
-			return this.failed(say("cannot-be-used-as-a", { name: file.name }), error);
+			return this.failed(say("cannot-be-used-as-a", { name: file.name }), error, here);
 		}
 	}
-	async takeFlight(name, flight) {
-		this.store.dispatch({
-			type: "notice",
-			notice: {
-				kind: "busy",
-				text: say("rendering-the-pair-a-simulated")
-			}
-		});
-		try {
-			const pair = await this.engine.client("pair").call("simulate", flight);
-			const given = (side) => ({
-				id: freshId(),
-				name: `${name} ${side}`,
-				source: {
-					kind: "grey",
-					...pair[side]
+	takeFlight(name, flight) {
+		const names = bothSides((side) => `${name} ${side}`);
+		return this.takeHere(Object.values(names), async (here) => {
+			this.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "busy",
+					text: say("rendering-the-pair-a-simulated")
 				}
 			});
-			const aside = await this.leave(hasMarks(this.store.state));
-			this.store.dispatch({
-				type: "simulated",
-				left: given("left"),
-				right: given("right"),
-				pair
-			});
-			this.tell([aside]);
-		} catch (error) {
-			this.tell([this.failed(say("the-pair-could-not-be"), error)]);
-		}
+			try {
+				const pair = await this.engine.client("pair").call("simulate", flight);
+				const given = (side) => ({
+					id: freshId(),
+					name: names[side],
+					source: {
+						kind: "grey",
+						...pair[side]
+					}
+				});
+				const aside = await this.leave(hasMarks(this.store.state), here);
+				if (aside === null) return this.tell([unchanged()]);
+				this.store.dispatch({
+					type: "simulated",
+					left: given("left"),
+					right: given("right"),
+					pair
+				});
+				this.tell(aside);
+			} catch (error) {
+				this.tell([this.failed(say("the-pair-could-not-be"), error, here)]);
+			}
+		});
 	}
 	async takeSample() {
 		const sample = this.store.state.catalogue?.flights.find(({ name }) => name === "sample");
@@ -8259,8 +8330,9 @@ var Files = class {
 			text: notice.text
 		}];
 	}
-	failed(what, error) {
-		if (error instanceof Cancelled) return info(say("cancelled-nothing-was-changed"));
+	failed(what, error, here) {
+		here();
+		if (error instanceof Cancelled) return unchanged();
 		return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
 	}
 	sideOfTable(table, index) {
@@ -8268,9 +8340,10 @@ var Files = class {
 		if (/left/iu.test(table.name)) return "left";
 		return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? "right" : "left";
 	}
-	async takeFiducials(file, side) {
+	async takeFiducials(file, side, here) {
 		try {
 			const fiducials = await this.engine.client("pair").call("parseFiducials", { text: await file.text() });
+			here();
 			this.store.dispatch({
 				type: "photo",
 				side,
@@ -8282,29 +8355,31 @@ var Files = class {
 				name: file.name
 			}));
 		} catch (error) {
-			return this.failed(say("holds-no-fiducial-marks", { name: file.name }), error);
+			return this.failed(say("holds-no-fiducial-marks", { name: file.name }), error, here);
 		}
 	}
-	async takeCamera(file) {
+	async takeCamera(file, here) {
 		try {
 			const camera = await this.engine.client("pair").call("parseCamera", { text: await file.text() });
+			here();
 			this.store.dispatch({
 				type: "camera",
 				camera
 			});
 			return info(say("camera-data-from", { name: file.name }));
 		} catch (error) {
-			return this.failed(say("holds-no-camera-data", { name: file.name }), error);
+			return this.failed(say("holds-no-camera-data", { name: file.name }), error, here);
 		}
 	}
-	async takeImages(files, side, asks) {
+	async takeImages(files, side, asks, here) {
 		const tooLarge = files.find((file) => file.size > MOST_BYTES);
 		if (tooLarge !== void 0) return done([problem(say("has-mb-up-to-1", {
 			name: tooLarge.name,
 			size: Math.round(tooLarge.size / 2 ** 20)
 		}))]);
 		const known = await Promise.all(files.map((file) => sideOfFile(this.store.state, this.engine, file)));
-		if (known.every((place) => place !== null)) return this.takeFound(files, known);
+		here();
+		if (known.every((place) => place !== null)) return this.takeFound(files, known, here);
 		const sides = files.length === 2 ? ["left", "right"] : [side ?? this.freeSide()];
 		const images = {};
 		for (const [i, file] of files.entries()) {
@@ -8325,9 +8400,9 @@ var Files = class {
 				text: say("reading-2", { join: files.map((file) => file.name).join(say("and-between")) })
 			}
 		});
-		return this.check(images, "images", asks);
+		return this.check(images, "images", here, asks);
 	}
-	async takeFound(files, sides) {
+	async takeFound(files, sides, here) {
 		const images = {};
 		for (const [i, side] of sides.entries()) {
 			const [image, file] = [this.store.state.images[side], files[i]];
@@ -8339,11 +8414,12 @@ var Files = class {
 				}
 			};
 		}
-		return this.check(images, "found");
+		return this.check(images, "found", here);
 	}
-	async check(images, type, asks = false) {
+	async check(images, type, here, asks = false) {
 		const entries = Object.entries(images);
 		const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
+		here();
 		const isCancelled = outcomes.some((outcome) => outcome.status === "rejected" && outcome.reason instanceof Cancelled);
 		if (type === "images" && isCancelled && entries.every(([side]) => this.store.state.images[side] === null)) return {
 			told: this.leaveToRun(entries, outcomes),
@@ -8373,7 +8449,8 @@ var Files = class {
 			return done([]);
 		}
 		const question = asks ? await this.askOfThird(images) : null;
-		return done(question === null ? await this.show(images) : [question]);
+		here();
+		return question === null ? this.show(images, here) : done([question]);
 	}
 	leaveToRun(entries, outcomes) {
 		const refused = (i) => {
@@ -8430,28 +8507,37 @@ var Files = class {
 			choices
 		};
 	}
-	async replace(images) {
-		const before = this.store.state.images;
-		const told = await this.show(images);
-		this.tell([...told, this.cameraStays(before)]);
+	replace(images) {
+		const names = Object.values(images).map(({ name }) => name);
+		return this.takeHere(names, async (here) => {
+			const before = this.store.state.images;
+			const { told } = await this.show(images, here);
+			this.tell([...told, this.cameraStays(before)]);
+		});
 	}
 	cameraStays(before) {
 		const { images, camera } = this.store.state;
 		return SIDES.some((side) => before[side] !== null && images[side]?.id !== before[side].id) && camera !== null && calibrationBehind(camera) === null ? info(say("the-camera-that-was-given-stays")) : null;
 	}
-	async show(images) {
+	async show(images, here) {
 		const { photos, images: former } = this.store.state;
 		const marked = await this.marked(images);
-		const aside = SIDES.some((side) => images[side] !== void 0 && former[side] !== null) ? await this.leave(marked.gone.length > 0) : null;
+		const replaces = SIDES.some((side) => images[side] !== void 0 && former[side] !== null);
+		here();
+		const aside = replaces ? await this.leave(marked.gone.length > 0, here) : [];
+		if (aside === null) return {
+			told: [unchanged()],
+			isCancelled: true
+		};
 		this.store.dispatch({
 			type: "images",
 			images,
 			same: marked.same
 		});
-		return [aside, ...marked.gone.map((side) => info(say("marks-went-with-the-image", {
+		return done([...aside, ...marked.gone.map((side) => info(say("marks-went-with-the-image", {
 			side,
 			marks: photos[side].fiducials.length
-		})))];
+		})))]);
 	}
 	async marked(images) {
 		const { images: former, photos, truth } = this.store.state;
@@ -8465,13 +8551,22 @@ var Files = class {
 	isSame(a, b) {
 		return a === null || b === void 0 ? Promise.resolve(false) : haveSameContent(a.source, b.source, this.engine);
 	}
-	async leave(marksGo) {
-		if (!marksGo && !isWorthKeeping(this.store.state)) return null;
+	async leave(marksGo, here) {
+		here();
+		if (!marksGo && !isWorthKeeping(this.store.state)) return [];
 		const names = SIDES.flatMap((side) => this.store.state.images[side]?.name ?? []);
-		return await this.putAside() ? info(say("stay-under-projects", { title_of: titleOf({
+		const stays = await this.putAside();
+		here();
+		if (stays) return [info(say("stay-under-projects", { title_of: titleOf({
 			name: null,
 			images: names
-		}) })) : null;
+		}) }))];
+		const question = say("cannot-be-kept-in-this", {
+			edits: say("the-pair-with-its-marks"),
+			step: say("open-the-other-pair"),
+			length: 1
+		});
+		return window.confirm(question) ? [] : null;
 	}
 	failedImages(failed) {
 		const refused = [];
@@ -8487,7 +8582,7 @@ var Files = class {
 				reason: readable(this.store.state.catalogue, messageOf(error))
 			});
 		}
-		if (failed.some(({ error }) => error instanceof Cancelled)) told.push(info(say("cancelled-nothing-was-changed")));
+		if (failed.some(({ error }) => error instanceof Cancelled)) told.push(unchanged());
 		return refused.length === 0 ? told : [...told, problem(refusedText(refused))];
 	}
 	freeSide() {
@@ -9184,19 +9279,30 @@ function focalOf(state) {
 }
 // www/pair/state/given-camera.ts
 var DIGITS = 12;
+var DIGITS_OF_FILES = 7;
+function rounded(value, digits = DIGITS) {
+	return Number(value.toPrecision(digits));
+}
 function focalPxOf({ focal_mm, pixel_mm }) {
-	return pixel_mm == null ? null : Number((focal_mm / pixel_mm).toPrecision(DIGITS));
+	return pixel_mm == null ? null : rounded(focal_mm / pixel_mm);
 }
 function withFocalPx(camera, px) {
 	if (camera === null) return camera_of_focal_px(px);
 	const { focal_mm, pixel_mm } = camera;
-	const rounded = (value) => Number(value.toPrecision(DIGITS));
 	return pixel_mm == null ? {
 		...camera,
 		pixel_mm: rounded(focal_mm / px)
 	} : {
 		...camera,
 		focal_mm: rounded(pixel_mm * px)
+	};
+}
+function withoutFocalPx(camera) {
+	if (camera === null) return null;
+	const px = focalPxOf(camera);
+	return px !== null && JSON.stringify(camera) === JSON.stringify(camera_of_focal_px(px)) ? null : {
+		...camera,
+		pixel_mm: null
 	};
 }
 function cameraForBoth(state) {
@@ -9212,7 +9318,19 @@ function cameraForBoth(state) {
 			camera: cameras[side]
 		}];
 	});
-	return one === void 0 || other !== void 0 ? null : one;
+	return one === void 0 || other !== void 0 ? null : {
+		...one,
+		camera: asTyped(one.camera)
+	};
+}
+function asTyped(camera) {
+	const { focal_mm, pixel_mm } = camera;
+	const pixel = pixel_mm == null ? {} : { pixel_mm: rounded(pixel_mm, DIGITS_OF_FILES) };
+	return {
+		...camera,
+		focal_mm: rounded(focal_mm, DIGITS_OF_FILES),
+		...pixel
+	};
 }
 // www/pair/panel/camera.ts
 var NUMBERS = [
@@ -9320,7 +9438,7 @@ function focalPxField(store) {
 		const px = readNumber(field, (value) => allowedOfFocalPx(value, (given) => withFocalPx(last, given)), before);
 		if (px !== before) store.dispatch({
 			type: "camera",
-			camera: px === void 0 ? null : withFocalPx(last, px)
+			camera: px === void 0 ? withoutFocalPx(last) : withFocalPx(last, px)
 		});
 		store.dispatch({
 			type: "refused",
@@ -9341,17 +9459,19 @@ function focalPxField(store) {
 		note.textContent = say("focal-length-in-px-sets", { what: areScans ? "scans" : camera !== null && camera.pixel_mm == null ? "pixel" : "focal" });
 	});
 	return {
-		element: field.element,
+		...field,
 		note
 	};
 }
-function sharedCamera(store) {
+function sharedCamera(store, fields) {
 	const use = button("", "camera-for-both", () => {
 		const shared = cameraForBoth(store.state);
-		if (shared !== null) store.dispatch({
+		if (shared === null) return;
+		store.dispatch({
 			type: "camera",
 			camera: shared.camera
 		});
+		fields.find(({ input }) => !input.disabled)?.input.focus();
 	});
 	const group = h("div", { class: "buttons" }, use);
 	store.watch((s) => [
@@ -9402,7 +9522,7 @@ function mountCamera(host, store, loadFile) {
 		type: "camera",
 		camera: null
 	}));
-	host.append(h("fieldset", { class: "group" }, h("legend", {}, say("camera")), source, calibrationGroup(store), sharedCamera(store), h("div", { class: "pairs" }, inPixels.element, ...fields.map(({ element }) => element)), inPixels.note, h("div", { class: "buttons" }, load, clear)), offsetGroup(store));
+	host.append(h("fieldset", { class: "group" }, h("legend", {}, say("camera")), source, calibrationGroup(store), sharedCamera(store, [inPixels, ...fields]), h("div", { class: "pairs" }, inPixels.element, ...fields.map(({ element }) => element)), inPixels.note, h("div", { class: "buttons" }, load, clear)), offsetGroup(store));
 	store.watch(["camera"], ([camera]) => {
 		fields.forEach((field, i) => {
 			showNumber(field, camera === null ? null : NUMBERS[i]?.of(camera));
@@ -9570,7 +9690,7 @@ function mountControls(host, store, opener) {
 			change: (key, value) => change(store, key, value),
 			defaults: () => standardOf(store.state, catalogue),
 			resolved: () => acts,
-			refused: (label) => store.dispatch({
+			refused: ({ label }) => store.dispatch({
 				type: "refused",
 				part: "settings",
 				label
@@ -10031,7 +10151,7 @@ function editOfDraft(state) {
 	};
 }
 // www/pair/panel/draft.ts
-function mountDraft(host, store, editing, follow, begun) {
+function mountDraft(host, store, editing, { follow, begun, ended }) {
 	const tool = button(say("add-match"), "tool-measure", () => {
 		editing.toggle("measure");
 		begun();
@@ -10040,13 +10160,19 @@ function mountDraft(host, store, editing, follow, begun) {
 		testid: "draft-text",
 		role: "status"
 	});
-	const accept = button(say("accept"), "draft-accept", () => editing.accept(), say("the-match-is-measured-enter"));
+	const accept = button(say("accept"), "draft-accept", () => {
+		editing.accept();
+		ended();
+	}, say("the-match-is-measured-enter"));
 	const fit = button(say("fit"), "draft-fit", () => void editing.fit(), say("move-the-right-point-to"));
 	const exchange = button(say("other-image"), "draft-exchange", () => {
 		editing.exchange();
 		follow();
 	}, say("go-on-with-the-point"));
-	const cancel = button(say("cancel"), "draft-cancel", () => editing.leave(), say("give-this-match-up-escape"));
+	const cancel = button(say("cancel"), "draft-cancel", () => {
+		editing.leave();
+		ended();
+	}, say("give-this-match-up-escape"));
 	const bar = h("div", {
 		class: "drafting",
 		testid: "draft",
@@ -10855,7 +10981,7 @@ function savable(state) {
 		json: rests && done === wanted && results.pointsLeft !== void 0,
 		project: rests && isCurrent(state, "match"),
 		report: rests && areThere && (!isEdited(state) || isCurrent(state, "match")),
-		epipolar: rests && areThere && orientation !== null,
+		epipolar: rests && areThere && orientation !== null && isCurrent(state, "match") && isCurrent(state, "orientation"),
 		png: images.left !== null || images.right !== null
 	};
 }
@@ -13936,7 +14062,7 @@ function mountInput(view, store, navigator, { editing, masking, marking, paint }
 		},
 		pointed: (at) => view.point(at),
 		command: (key, shift) => measuring(key, shift) || masks(key, shift) || marks(key, shift) || look(key, shift)
-	}, host.closest(".stage") ?? host, () => store.state.images.left !== null || store.state.images.right !== null);
+	}, host.closest(".stage") ?? host);
 }
 function press(hit, more, editing, navigator) {
 	if (more) {
@@ -14978,7 +15104,11 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 		navigator.followDraft();
 		view.takeKeys();
 	};
-	mountDraft(byId("toolbar"), store, editing, () => navigator.followDraft(), measured);
+	mountDraft(byId("toolbar"), store, editing, {
+		follow: () => navigator.followDraft(),
+		begun: measured,
+		ended: () => view.takeKeys()
+	});
 	mountMasking(byId("view-more"), byId("toolbar"), store, masking, paint);
 	mountMarking(byId("toolbar"), store, marking);
 	await breath();
@@ -15557,6 +15687,13 @@ var TAB_PROJECT = "tiepoint-project";
 var BROKE_OFF = "tiepoint-broke-off";
 var MOST_BREAKS = 2;
 var CALM_MS = 15e3;
+var NOT_KEPT = [
+	"absent",
+	"full",
+	"failed",
+	"reading",
+	"taken"
+];
 var Keeper = class {
 	keepables;
 	mode;
@@ -15579,7 +15716,7 @@ var Keeper = class {
 	isNew = true;
 	timer;
 	saving = Promise.resolve();
-	lastLeft = Promise.resolve();
+	leaving = new Leaving();
 	constructor(keepables, mode) {
 		this.keepables = keepables;
 		this.mode = mode;
@@ -15617,9 +15754,12 @@ var Keeper = class {
 		});
 	}
 	get isLost() {
+		if (this.keeping.state.trouble?.kind === "reading") return this.isChanged();
+		return !this.isKept && this.keepables.some((keepable) => keepable.parts().size > 0);
+	}
+	get isKept() {
 		const { works, trouble } = this.keeping.state;
-		if (trouble?.kind === "reading") return this.isChanged();
-		return !(works && trouble?.kind !== "full" && trouble?.kind !== "failed" && trouble?.kind !== "taken") && this.keepables.some((keepable) => keepable.parts().size > 0);
+		return works && (trouble === null || !NOT_KEPT.includes(trouble.kind));
 	}
 	async projects() {
 		const { database } = this;
@@ -15632,12 +15772,13 @@ var Keeper = class {
 		})));
 	}
 	open(id, how = "claim") {
-		return this.leaving(this.opened(id, how));
+		return this.leaving.inTurn(() => this.opened(id, how));
 	}
 	async opened(id, how) {
 		await this.settle();
 		const show = await this.read(id, how);
 		if (show === null) return;
+		this.leaving.leave();
 		await this.settle();
 		for (const keepable of this.keepables) keepable.clear();
 		await this.shown(show);
@@ -15662,24 +15803,25 @@ var Keeper = class {
 		}
 	}
 	anew() {
-		return this.leaving(this.begun());
+		return this.leaving.inTurn(() => this.begun());
 	}
 	left() {
-		return this.lastLeft;
-	}
-	leaving(way) {
-		this.lastLeft = way.catch(() => void 0);
-		return way;
+		return this.leaving.left();
 	}
 	async begun() {
+		this.leaving.leave();
 		await this.settle();
 		await this.begin();
 		for (const keepable of this.keepables) keepable.clear();
 		this.keeping.dispatch({ trouble: null });
 	}
-	async putAside(part) {
+	putAside(part) {
+		const { count } = this.leaving;
+		return this.leaving.inTurn(async () => count !== this.leaving.count || this.putsAside(part));
+	}
+	async putsAside(part) {
 		await this.settle();
-		if (this.isNew || this.keeping.state.trouble !== null) return false;
+		if (this.isNew || !this.isKept) return false;
 		if (this.keepables.some((keepable) => keepable.mode !== part.mode && keepable.parts().size > 0)) return this.separate(part);
 		await this.begin();
 		return true;
@@ -16631,6 +16773,7 @@ async function startParts(opening, serveDrop) {
 		await act(block);
 	});
 	async function openProject(file) {
+		await keeper.left();
 		const mode = project_kind(new Uint8Array(await file.slice(0, START_BYTES).arrayBuffer())) ?? modes.state.mode;
 		if (mode === "block") return inBlock((block) => block.open(file));
 		modes.dispatch(mode);
@@ -16703,4 +16846,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, takeHere, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

@@ -222,8 +222,8 @@
 			const ret = wasm.finishedblock_export(this.__wbg_ptr, format, emit);
 			if (ret[1]) throw takeFromExternrefTable0(ret[0]);
 		}
-		files(formats, score) {
-			const ret = wasm.finishedblock_files(this.__wbg_ptr, formats, score);
+		files(formats, score, language) {
+			const ret = wasm.finishedblock_files(this.__wbg_ptr, formats, score, isLikeNone(language) ? 0 : addToExternrefTable0(language));
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return BlockWriting.__wrap(ret[0]);
 		}
@@ -552,11 +552,11 @@
 			const ptr = this.__destroy_into_raw();
 			if (ptr !== 0) wasm.__wbg_report_free(ptr, 0);
 		}
-		html() {
+		html(language) {
 			let deferred2_0;
 			let deferred2_1;
 			try {
-				const ret = wasm.report_html(this.__wbg_ptr);
+				const ret = wasm.report_html(this.__wbg_ptr, isLikeNone(language) ? 0 : addToExternrefTable0(language));
 				var ptr1 = ret[0];
 				var len1 = ret[1];
 				if (ret[3]) {
@@ -585,8 +585,10 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return ret[0] !== 0;
 		}
-		steps() {
-			return wasm.report_steps(this.__wbg_ptr);
+		steps(language) {
+			const ret = wasm.report_steps(this.__wbg_ptr, isLikeNone(language) ? 0 : addToExternrefTable0(language));
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
 		}
 	};
 	if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
@@ -3617,7 +3619,7 @@
 		const files = new Map();
 		const write = (path, text) => files.set(path, text);
 		if (kind === "project") write(`${name}-project.tiepoint`, block.project());
-		else if (kind === "everything") await inSteps(block.files(export_formats()), write, signal);
+		else if (kind === "everything") await inSteps(block.files(export_formats(), null, LANGUAGE), write, signal);
 		else block.export(kind, write);
 		return packed(files, `${name}-${kind}`, signal);
 	}
@@ -4431,7 +4433,7 @@
 		report = new Report(left, right, names, input, settings, truth, ofLeft, ofRight, edits);
 		left.free();
 		right.free();
-		return report.steps();
+		return report.steps(LANGUAGE);
 	}
 	async function epipolar({ project, images: [ofLeft, ofRight] }) {
 		const encoder = new TextEncoder();
@@ -4507,7 +4509,7 @@
 		orient: ({ matches, fits, interior: ofPair, options, points }) => orient_matches(matches, fits, ofPair, options, points),
 		reportOpen,
 		reportStep: () => reportInHand().step(),
-		reportPage: () => reportInHand().html(),
+		reportPage: () => reportInHand().html(LANGUAGE),
 		epipolar,
 		parseFiducials: ({ text }) => parse_fiducials(text),
 		orientMarks: ({ fiducials, model }) => {

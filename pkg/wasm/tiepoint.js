@@ -3142,8 +3142,8 @@ function __wbg_get_imports() {
             return ret;
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 1569, ret: Result(Externref), inner_ret: Some(Result(Externref)) }, mutable: false }) -> Externref`.
-            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h790386fd1bb3dd86);
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 16, ret: Result(Externref), inner_ret: Some(Result(Externref)) }, mutable: false }) -> Externref`.
+            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4);
             return ret;
         },
         __wbindgen_generic_0000000000000002: function(arg0) {
@@ -3171,8 +3171,8 @@ function __wbg_get_imports() {
     };
 }
 
-function wasm_bindgen__convert__closures_____invoke__h790386fd1bb3dd86(arg0, arg1, arg2, arg3) {
-    const ret = wasm.wasm_bindgen__convert__closures_____invoke__h790386fd1bb3dd86(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3) {
+    const ret = wasm.wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
