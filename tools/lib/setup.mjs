@@ -41,7 +41,7 @@ const CHROMIUM = {
   ],
 };
 
-/** The same engine without a window and what belongs to one: tests of the page take a fifth less processor time.  @type {Browser} */
+/** The same engine without what belongs to windows, which takes processor time in every test of the page.  @type {Browser} */
 const HEADLESS_CHROMIUM = { name: 'Chromium', variable: 'CHROMIUM', debian: 'chromium-headless-shell', places: ['/usr/bin/chromium-headless-shell'] };
 
 /** Not the one of a snap, which sees no profile that a test makes: of its places /usr/bin/firefox alone is known, which leads there.  @type {Browser} */
