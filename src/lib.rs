@@ -3,7 +3,8 @@
 //! Conventions: pixel positions are in px, x to the right, y down, the centre of the top-left pixel at (0.5, 0.5). Photo
 //! coordinates are in mm, x to the right, y up, origin at the principal point. Angles are in radians inside and in degrees
 //! where a name ends in `_deg`.
-
+//!
+#![doc = include_str!("../docs/rust.md")]
 // The runner calls the tests of wasm-bindgen by their exports. Without a `main`, which calls all others, these are not compiled to wasm.
 #![cfg_attr(all(test, target_arch = "wasm32"), no_main)]
 
@@ -160,8 +161,3 @@ pub use two_view::{
     Degeneracy, FocalEstimate, NoGeometry, Pinhole, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point,
     fundamental_seven_point, homography_direct, two_view,
 };
-
-/// The examples of the documentation are compiled with the tests.
-#[cfg(doctest)]
-#[doc = include_str!("../docs/rust.md")]
-struct GuideOfRust;

@@ -120,8 +120,10 @@ impl CameraUncertainty {
     pub const XMP_CALIBRATION: Self = Self { focal: 0.01, principal_point: 0.003, k1: 0.01 };
     /// Of a camera whose focal length stands in EXIF: rounded, of the lens at infinity, on a sensor whose size is rounded too.
     pub const EXIF: Self = Self { focal: 0.05, principal_point: 0.01, k1: 0.05 };
-    /// Of a camera of which nothing is known: [`ASSUMED_FOCAL`](Self::ASSUMED_FOCAL) fits lenses from wide angles to short telephotos.
-    pub const ASSUMED: Self = Self { focal: 0.4, principal_point: 0.01, k1: 0.05 };
+    /// Of a camera of which nothing is known: [`ASSUMED_FOCAL`](Self::ASSUMED_FOCAL) fits lenses from wide angles to short telephotos. Whether the image
+    /// was cut to its shape is not known either: with a principal point within 1 %, pairs of frames of 3:2 whose upper parts were cut off, down to 16:9, were
+    /// called oriented with errors of 1° to 4°, outside their regions of 99.9 %; with 2 % these hold them.
+    pub const ASSUMED: Self = Self { focal: 0.4, principal_point: 0.02, k1: 0.05 };
     /// The focal length of a camera of which nothing is known, in units of the longer side of its image: 31 mm on 35 mm film, as
     /// telephones, drones and normal lenses have from 24 to 50.
     pub const ASSUMED_FOCAL: f64 = 0.85;
