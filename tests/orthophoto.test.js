@@ -283,7 +283,7 @@ test('another orthophoto takes what was placed away; other settings mark it as e
   let placing = reducePlacing({ ...NO_PLACING, options }, { type: 'orthophoto', orthophoto: { raster, info, ofBlock: null } });
   assert.equal(unplacedFiles(state(placing)).length, 1);
   const key = placingKey(state(placing));
-  placing = reducePlacing(placing, { type: 'placed', image: 1, placed: { key, result: null, problem: 'no image' } });
+  placing = reducePlacing(placing, { type: 'placed', image: { id: 1 }, placed: { key, result: null, problem: 'no image' } });
   assert.deepEqual(
     placedFiles(state(placing)).map((/** @type {{ isStale: boolean }} */ { isStale }) => isStale),
     [false],
@@ -315,7 +315,7 @@ test('coordinates of a table have the system of the block: another one has those
     const positions = page.given_positions.givenPositions(before);
     const placing = files.reduce((now, { id, name }) => {
       const key = placingKeyOf(placingKey(before), { film: now.film, positions }, name);
-      return reducePlacing(now, { type: 'placed', image: id, placed: { key, result: null, problem: '' } });
+      return reducePlacing(now, { type: 'placed', image: { id }, placed: { key, result: null, problem: '' } });
     }, NO_PLACING);
     const of = (/** @type {string} */ crs) => placedFiles(state(placing, text, crs)).map((/** @type {{ isStale: boolean }} */ { isStale }) => isStale);
     return ['EPSG:32632', 'EPSG:32633'].map(of);
@@ -344,7 +344,7 @@ test('marks of film are of the image of their name, which alone is placed anew w
   let placing = reducePlacing(NO_PLACING, { type: 'film', film });
   for (const { id, name } of files) {
     const key = placingKeyOf(placingKey(state(placing)), { film: placing.film, positions: new Map() }, name);
-    placing = reducePlacing(placing, { type: 'placed', image: id, placed: { key, result: null, problem: '' } });
+    placing = reducePlacing(placing, { type: 'placed', image: { id }, placed: { key, result: null, problem: '' } });
   }
   const stale = (/** @type {any} */ of) => placedFiles(state(of)).map((/** @type {{ isStale: boolean }} */ { isStale }) => isStale);
   assert.deepEqual(stale(placing), [false, false]);

@@ -79,6 +79,7 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
       openProject,
       putAside: (kept) => keeper.putAside(kept),
       left: () => keeper.left(),
+      stays: () => keeper.stays(),
     });
     keptBlock.arrive(block.kept);
     takers.unshift(block.taker);
@@ -171,7 +172,7 @@ async function loadBlock(
       names: () => [pair.store.state.images.left?.name ?? null, pair.store.state.images.right?.name ?? null],
       watch: (changed) => pair.store.watch(['images'], changed),
     },
-    openPair: (store, images) => openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images),
+    openPair: (store, images) => openPair(store, elsewhere.modes, pair, { putAside: () => elsewhere.putAside(pair.kept), stays: elsewhere.stays }, images),
   });
   block.store.dispatch({ type: 'ready', catalogue: ofBlocks });
   return block;

@@ -82,17 +82,23 @@ interface Elsewhere {
   putAside: (part: Keepable) => Promise<boolean>;
   /** Waits for the project that is being left. */
   left: () => Promise<Here>;
+  /** Waits for it with what is done with the project that is shown now. */
+  stays: () => Promise<Here>;
 }
 
 /** In pieces, between which the page answers what the user does. */
-export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, pair, openProject, putAside, left }: Elsewhere): Promise<Block> {
+export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, pair, openProject, putAside, left, stays }: Elsewhere): Promise<Block> {
   const store: BlockStore = new Holder(BLOCK_INITIAL, reduceBlock);
   const engine = new BlockEngine(store);
   const placing = new PlacingEngine(store);
   const onGround = new BlockPlacing(store, engine, placing);
   const runs = new BlockRuns(store, engine, placing, onGround);
-  const kept = new KeptBlocks(store, engine, catalogue);
-  const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept), left);
+  const kept = new KeptBlocks(store, engine, catalogue, () => {
+    placing.cancel();
+    onGround.cancel();
+    engine.leave();
+  });
+  const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept), left, stays);
   const looking = {
     choose: (choice: Choice | null) => store.dispatch({ type: 'choose', choice }),
     point: (choice: Choice | null) => store.dispatch({ type: 'point', choice }),
@@ -134,7 +140,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
       },
       save: () => void saveAs(store, engine, 'project', 'block-next'),
       open: pick,
-      place: () => void runs.placeImages(),
+      place: () => void files.place(),
       decide: (purpose) => void files.decide(purpose),
       cancel: () => {
         placing.cancel();
@@ -159,10 +165,10 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   await breath();
   mountSettings(settings.panels[0], store, files, opener);
   await breath();
-  const pickers = mountPlacingSettings(settings.panels[1], store, files, placing);
+  const pickers = mountPlacingSettings(settings.panels[1], store, files);
   mountFlight(settings.panels[2], store, files);
   mountProgress(results.panels[0], store);
-  mountResults(results.panels[0], store, () => void runs.takeOff());
+  mountResults(results.panels[0], store, () => void files.takeOff());
   await breath();
   const placedSample = () => void files.sampleOnOrthophoto({ ...catalogue.flight, ...PLACED_SAMPLE }, PLACED_GSD_M);
   const sample = () => void files.sample({ ...catalogue.flight, ...SAMPLE });

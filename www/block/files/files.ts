@@ -1,6 +1,6 @@
 /** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
 import type { FoundFile } from '../../shared/files/drop';
-import { takeHere } from '../../shared/files/leaving';
+import { doHere, takeHere } from '../../shared/files/leaving';
 import type { Here } from '../../shared/files/leaving';
 import { kindsText, namesText, refusedKinds } from '../../shared/files/refused';
 import { Cancelled } from '../../shared/engine/client';
@@ -25,6 +25,7 @@ import { waitsForMarks } from '../state/marks';
 import { controlText } from '../state/words';
 import type { GivenText } from '../state/given';
 import { FilmFiles } from './film';
+import { takeFrames } from './frames';
 import { GroundFiles } from './ground';
 import { newId } from './ids';
 import { fieldsOf, OWN_SETTINGS } from '../../shared/files/json';
@@ -58,7 +59,7 @@ const WAITS = 'tiepoint-wait';
 export class BlockFiles {
   /** Orthophotos and heights. */
   readonly ground: GroundFiles;
-  private readonly film: FilmFiles;
+  readonly film: FilmFiles;
   /** Images that are given wait until Run is pressed: large blocks have settings and files that come first. */
   private waiting = keptChoice(WAITS) === 'yes';
 
@@ -73,9 +74,11 @@ export class BlockFiles {
     private readonly putAside: () => Promise<boolean>,
     /** Waits for the project that is being left: files are of the next one. */
     private readonly left: () => Promise<Here>,
+    /** Waits for it, too: what is done is done with the project that is shown now. */
+    private readonly stays: () => Promise<Here>,
   ) {
     this.ground = new GroundFiles(store, placing);
-    this.film = new FilmFiles(store);
+    this.film = new FilmFiles(store, (names, take) => this.takeHere(names, take));
     let before = store.state;
     store.watch(['marks', 'shown'], ([marks, shown]) => {
       // What the browser kept, and another block, are shown as they are.
@@ -115,7 +118,7 @@ export class BlockFiles {
     const { others: found, taken, degrees, ...rasters } = asGiven(await sortRasters(given.filter(({ file }) => !kinds.has(file))));
     here();
     const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
-    const ground = await this.ground.take(rasters);
+    const ground = await this.ground.take(rasters, here);
     here();
     const several = taken === 0 ? '' : say('that-say-where-they-lie', { taken: images(taken) });
     // Nothing else is taken with what is wrong: it can be given again.
@@ -125,7 +128,10 @@ export class BlockFiles {
     }
     const alone = found.filter(({ path }) => path === '');
     const project = alone.find(({ file }) => PROJECT.test(file.name));
-    const film = await this.takeFilm(alone.map(({ file }) => file));
+    const film = await this.takeFilm(
+      alone.map(({ file }) => file),
+      here,
+    );
     here();
     const said = [ground, several, film.said].filter((text) => text !== '').join(' ');
     const cameras = alone.find(({ file }) => CAMERAS.test(file.name) && !film.files.has(file));
@@ -134,16 +140,17 @@ export class BlockFiles {
     if (project !== undefined) await this.openProject(project.file);
     here();
     if (geoid !== undefined) this.takeGeoid(geoid.file);
-    const notCameras = cameras === undefined ? '' : await this.takeCameras(cameras.file, photos);
+    const notCameras = cameras === undefined ? '' : await this.takeCameras(cameras.file, photos, here);
     const tables = await this.takeTables(
       alone.map(({ file }) => file).filter((file) => TABLE.test(file.name) && !film.files.has(file)),
       photos,
+      here,
     );
     here();
     const aside =
       found.length - photos.length - film.files.size - tables.count - [project, cameras, geoid].filter((file) => file !== undefined).length + lone.length;
-    if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== '').join(' '), before);
-    else await this.said([said, film.said === '' ? '' : framesStep(this.store.state)].filter((text) => text !== '').join(' '));
+    if (photos.length > 0 || aside > 0) this.add(here, photos, aside, [why, said].filter((text) => text !== '').join(' '), before);
+    else await this.said(here, [said, film.said === '' ? '' : framesStep(this.store.state)].filter((text) => text !== '').join(' '));
     // A geoid, or heights that would be refused: where the user gives it says which.
     const grids = degrees.map(({ file }) => say('is-a-grid-at-longitudes', { name: file.name })).join(' ');
     const putAside = [unread, grids, film.aside, this.marksOfNone(film.marks), notCameras, tables.aside].filter((text) => text !== '').join(' ');
@@ -169,36 +176,36 @@ export class BlockFiles {
     const unknown = others.map(({ file }) => ({ file, world: null, projection: null }));
     const pictures = asHeights ? [] : [...sorted.orthophotos, ...(sorted.orthophotos.length > 0 ? [] : unknown)];
     const heights = [...sorted.heights, ...sorted.degrees, ...(asHeights ? [...sorted.orthophotos, ...unknown] : [])];
-    const text = await this.ground.take({ orthophotos: pictures, heights, worlds: sorted.worlds, projections: sorted.projections });
+    const text = await this.ground.take({ orthophotos: pictures, heights, worlds: sorted.worlds, projections: sorted.projections }, here);
     here();
-    await this.said(text, kindsText(kinds));
+    await this.said(here, text, kindsText(kinds));
   }
 
   /** Takes one height for all of the ground. */
-  async takeLevel(height: number): Promise<void> {
-    await this.left();
-    await this.said(await this.ground.takeLevel(height));
+  takeLevel(height: number): Promise<void> {
+    return doHere(this.left, async (here) => this.said(here, await this.ground.takeLevel(height, here)));
   }
 
   /** Says what was taken, null where that was refused, and what of it is not read; images that wait for nothing else are placed. */
-  private async said(text: string | null, unread = ''): Promise<void> {
+  private async said(here: Here, text: string | null, unread = ''): Promise<void> {
+    here();
     if (text !== null && text !== '') this.tell('info', text);
     if (unread !== '' && text === '') this.tellUnread(unread);
     else if (unread !== '') this.tellBeside(this.store.state.notice, unread);
     if (text === null || text === '') return;
     // A finished block is placed when the user asks, one that is run when it is finished.
     const { shown, placing, files, running } = this.store.state;
-    if (shown === null && running.kind !== 'yes' && !this.waits && files.length > 0 && placing.placed.size === 0) await this.start();
+    if (shown === null && running.kind !== 'yes' && !this.waits && files.length > 0 && placing.placed.size === 0) await this.start(here);
   }
 
   /** Places the images that are given, or runs them as a block. */
-  private async start(): Promise<void> {
+  private async start(here: Here): Promise<void> {
     const { state } = this.store;
-    if (purposeOf(state) === 'images') await this.runs.placeImages();
+    if (purposeOf(state) === 'images') await this.runs.placeImages(here);
     // A block is made of the frames of scans, not of these.
     else if (awaitsFrames(state.placing.film, state.files)) return;
     // What is done with the orthophoto comes first.
-    else if (state.files.length >= 2 && !asksPurpose(state)) await this.runs.run();
+    else if (state.files.length >= 2 && !asksPurpose(state)) await this.runs.run(here);
   }
 
   /** Takes more images than a pair has, which were given there. */
@@ -219,7 +226,7 @@ export class BlockFiles {
   /** Photographs a block and runs it, whatever waits. */
   sample(flight: BlockFlight): Promise<void> {
     return this.takeHere([say('simulated-block')], async (here) => {
-      if (await this.simulate(flight, here)) await this.runs.run();
+      if (await this.simulate(flight, here)) await this.runs.run(here);
     });
   }
 
@@ -237,9 +244,9 @@ export class BlockFiles {
           worlds: [],
           projections: [],
         };
-        const taken = await this.ground.take(rasters);
+        const taken = await this.ground.take(rasters, here);
         here();
-        if (taken !== null) await this.runs.placeImages();
+        if (taken !== null) await this.runs.placeImages(here);
       } catch (error) {
         this.failed(say('the-orthophoto-could-not-be'), error, here);
       }
@@ -252,7 +259,7 @@ export class BlockFiles {
       const { flight } = this.store.state;
       if (flight === null || !(await this.simulate(flight, here))) return;
       if (this.waits) this.tell('info', say('photos-of-a-simulated-block', { files: this.store.state.files.length }));
-      else await this.runs.run();
+      else await this.runs.run(here);
     });
   }
 
@@ -283,13 +290,14 @@ export class BlockFiles {
   }
 
   /** Takes cameras that were given with these photos; a file that cannot be used is put aside, and changes nothing: what is said of it. */
-  private async takeCameras(file: File, photos: readonly FoundFile[]): Promise<string> {
+  private async takeCameras(file: File, photos: readonly FoundFile[], here: Here): Promise<string> {
     const { state } = this.store;
     const text = await file.text();
+    here();
     const files = [...state.files, ...photos.map((photo) => ({ id: 0, name: photo.file.name, file: photo.file }))];
     const { cameras: problem } = problemsOf({ ...state, files, options: { ...state.options, cameras: { name: file.name, text } } });
     if (problem === undefined) {
-      await this.takeText('cameras', file);
+      await this.takesText('cameras', file, here);
       return '';
     }
     const fields = fieldsOf(text);
@@ -298,7 +306,7 @@ export class BlockFiles {
   }
 
   /** Takes the camera and the fiducial marks of scanned film, told by what they hold. `marks`: their names; `aside`: what is wrong with them. */
-  private async takeFilm(given: readonly File[]): Promise<{ files: Set<File>; marks: readonly string[]; said: string; aside: string }> {
+  private async takeFilm(given: readonly File[], here: Here): Promise<{ files: Set<File>; marks: readonly string[]; said: string; aside: string }> {
     const cameras: File[] = [];
     const marks: File[] = [];
     for (const file of given) {
@@ -306,7 +314,7 @@ export class BlockFiles {
       else if (TABLE.test(file.name) && hasFiducials(await file.text())) marks.push(file);
     }
     const [camera] = cameras;
-    const said = [...(camera === undefined ? [] : [await this.film.camera(camera)]), ...(marks.length === 0 ? [] : [await this.film.marks(marks)])];
+    const said = [...(camera === undefined ? [] : [await this.film.camera(camera, here)]), ...(marks.length === 0 ? [] : [await this.film.marks(marks, here)])];
     const texts = (kind: 'info' | 'problem') => said.flatMap((one) => (one.kind === kind ? [one.text] : [])).join(' ');
     return {
       files: new Set([...(camera === undefined ? [] : [camera]), ...marks]),
@@ -324,7 +332,7 @@ export class BlockFiles {
   }
 
   /** Takes tables of control points, of image measurements and of GNSS positions, given with these photos; what is none is left aside, and changes nothing. `count`: those that are said something of. */
-  private async takeTables(files: readonly File[], photos: readonly FoundFile[]): Promise<{ count: number; aside: string }> {
+  private async takeTables(files: readonly File[], photos: readonly FoundFile[], here: Here): Promise<{ count: number; aside: string }> {
     const names = new Set([...this.store.state.files, ...photos.map(({ file }) => file)].map(({ name }) => name));
     const aside: string[] = [];
     let count = 0;
@@ -335,7 +343,7 @@ export class BlockFiles {
       if (found.kind === 'neither' && !CSV.test(file.name) && !hasNumbers(text)) continue;
       count += 1;
       if (found.kind === 'neither') aside.push(say('is-no-table-of', { name: file.name, why: sentence(found.why) }));
-      else if (found.kind !== 'fiducials') await this.takeText(found.kind, file);
+      else if (found.kind !== 'fiducials') await this.takesText(found.kind, file, here);
     }
     return { count, aside: aside.join(' ') };
   }
@@ -347,8 +355,14 @@ export class BlockFiles {
   }
 
   /** Takes a file of text and says what is wrong with it; it stays beside its field until another is given or it is removed. */
-  async takeText(given: GivenText, file: File): Promise<void> {
-    this.store.dispatch({ type: 'options', options: { [given]: { name: file.name, text: await file.text() } } });
+  takeText(given: GivenText, file: File): Promise<void> {
+    return this.takeHere([file.name], (here) => this.takesText(given, file, here));
+  }
+
+  private async takesText(given: GivenText, file: File, here: Here): Promise<void> {
+    const text = await file.text();
+    here();
+    this.store.dispatch({ type: 'options', options: { [given]: { name: file.name, text } } });
     const problem = problemsOf(this.store.state)[given];
     const said = say('from', { texts: TEXTS[given], name: file.name });
     if (problem === undefined)
@@ -397,48 +411,72 @@ export class BlockFiles {
   }
 
   /** What the user decides to do with the orthophoto. */
-  async decide(purpose: Purpose): Promise<void> {
-    this.store.dispatch({ type: 'purpose', purpose });
-    this.store.dispatch({ type: 'notice', notice: null });
-    if (purpose === 'images') await this.runs.placeImages();
-    else if (purpose === 'block') await this.run();
-    else this.store.dispatch({ type: 'stage', view: 'map' });
+  decide(purpose: Purpose): Promise<void> {
+    return doHere(this.stays, async (here) => {
+      this.store.dispatch({ type: 'purpose', purpose });
+      this.store.dispatch({ type: 'notice', notice: null });
+      if (purpose === 'images') await this.runs.placeImages(here);
+      else if (purpose === 'block') await this.runOf(here);
+      else this.store.dispatch({ type: 'stage', view: 'map' });
+    });
   }
 
   /** Runs the block. One with edits that do not hold for the next one stays in the list of projects. */
-  async run(): Promise<void> {
+  run(): Promise<void> {
+    return doHere(this.stays, (here) => this.runOf(here));
+  }
+
+  private async runOf(here: Here): Promise<void> {
     const { shown, history } = this.store.state;
     const names = shown === null ? null : namesOf(shown.found);
     // The same files and settings give the same tie points.
     const isSame = shown !== null && shown.tiePoints !== '' && shown.key === wantedKey(this.store.state);
     const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names), isSame);
-    if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run();
+    if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run(here);
     this.tell('busy', say('keeping-the-edited-block'));
-    const stays = await this.leave(say('run-it-again'));
+    const stays = await this.leave(say('run-it-again'), here);
     this.store.dispatch({ type: 'notice', notice: null });
     if (stays === null) return;
-    await this.runs.run();
+    await this.runs.run(here);
+    here();
     const { notice, running } = this.store.state;
     if (!stays || running.kind !== 'no' || notice === null) return;
     this.store.dispatch({ type: 'notice', notice: { ...notice, text: say('the-former-block-stays-under-projects', { text: notice.text }) } });
   }
 
+  /** Places the images that are given on the orthophoto. */
+  place(): Promise<void> {
+    return doHere(this.stays, (here) => this.runs.placeImages(here));
+  }
+
+  /** The block as it was before it was placed on the orthophoto. */
+  takeOff(): Promise<void> {
+    return doHere(this.stays, (here) => this.runs.takeOff(here));
+  }
+
+  /** Puts frames in the place of scans of film. */
+  frames(): Promise<void> {
+    return doHere(this.stays, (here) => takeFrames(this.store, this.placing, here));
+  }
+
   /** Removes all images, and the block. */
-  async clear(): Promise<void> {
-    const { shown, history, marks } = this.store.state;
-    const isEdited = history.edits.length + marks.edits.length > 0;
-    const stays = await this.leave(say('remove-all-images'));
-    if (stays === null) return;
-    this.store.dispatch({ type: 'clear' });
-    const what = shown === null ? say('project') : isEdited ? say('edited-block') : say('oriented-block');
-    if (stays) this.tell('info', say('the-stays-under-projects', { what }));
+  clear(): Promise<void> {
+    return doHere(this.stays, async (here) => {
+      const { shown, history, marks } = this.store.state;
+      const isEdited = history.edits.length + marks.edits.length > 0;
+      const stays = await this.leave(say('remove-all-images'), here);
+      if (stays === null) return;
+      this.store.dispatch({ type: 'clear' });
+      const what = shown === null ? say('project') : isEdited ? say('edited-block') : say('oriented-block');
+      if (stays) this.tell('info', say('the-stays-under-projects', { what }));
+    });
   }
 
   /**
    * Before the block is gone: one of photos that were not simulated, one with edits, and what was placed on an orthophoto stay in the list of projects, which
    * is true then. Null where it cannot, and the user keeps it.
    */
-  private async leave(step: string, here: Here = () => undefined): Promise<boolean | null> {
+  private async leave(step: string, here: Here): Promise<boolean | null> {
     const { shown, truth, history, marks, placing } = this.store.state;
     const length = history.edits.length + marks.edits.length;
     const isFound = shown !== null && !shown.view.partial && shown.view.oriented > 0 && truth === null;
@@ -452,7 +490,7 @@ export class BlockFiles {
   }
 
   /** `noticed`: what was said before the files were given. */
-  private add(found: readonly FoundFile[], aside: number, why: string, noticed: Notice | null): void {
+  private add(here: Here, found: readonly FoundFile[], aside: number, why: string, noticed: Notice | null): void {
     const files = new Map(this.store.state.files.map((file) => [file.name, file]));
     const before = files.size;
     for (const { file, path } of found) {
@@ -466,7 +504,7 @@ export class BlockFiles {
     if (sorted.length > before) {
       this.store.dispatch({ type: 'files', files: sorted, truth: this.store.state.truth });
       // What is given is run; what was given before goes on.
-      if (!this.waits && own === null) void this.start();
+      if (!this.waits && own === null) void this.start(here);
     }
     const runs = this.runsNow();
     const notes = [

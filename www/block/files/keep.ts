@@ -44,6 +44,8 @@ export class KeptBlocks implements Keepable {
     private readonly store: BlockStore,
     private readonly engine: BlockEngine,
     private readonly catalogue: BlockCatalogue,
+    /** Ends what goes on with the block: what comes of it belongs to no project any more. */
+    private readonly end: () => void,
   ) {}
 
   watch(changed: () => void): void {
@@ -142,8 +144,7 @@ export class KeptBlocks implements Keepable {
   clear(): void {
     this.made = null;
     this.engine.keepSpare(null);
-    // What comes of an earlier run belongs to no project any more.
-    if (this.store.state.running.kind === 'yes') this.engine.cancel();
+    this.end();
     this.engine.takeRecords(new Map());
     this.store.dispatch({ type: 'cleared' });
   }

@@ -171,6 +171,11 @@ export class Keeper {
     return this.leaving.left();
   }
 
+  /** Waits as `left` does; what is to be done with the project that is shown now is nothing for the next one. */
+  stays(): Promise<Here> {
+    return this.leaving.stays();
+  }
+
   private async begun(): Promise<void> {
     this.leaving.leave();
     await this.settle();
@@ -218,10 +223,12 @@ export class Keeper {
   }
 
   /** Keeps what is on the page as a project of its own. */
-  async keepAsNew(): Promise<void> {
-    await this.begin();
-    this.keeping.dispatch({ trouble: null });
-    await this.flush();
+  keepAsNew(): Promise<void> {
+    return this.leaving.inTurn(async () => {
+      await this.begin();
+      this.keeping.dispatch({ trouble: null });
+      await this.flush();
+    });
   }
 
   async rename(id: string, name: string | null): Promise<void> {
