@@ -93,9 +93,10 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
     });
     if (block !== undefined) await act(block);
   }
-  async function show(mode: Mode): Promise<void> {
-    if (mode === 'pair') modes.dispatch(mode);
-    else await withBlock(() => modes.dispatch(mode));
+  async function show(mode: Mode, isKept = false): Promise<void> {
+    const to = isKept ? { kept: mode } : mode;
+    if (mode === 'pair') modes.dispatch(to);
+    else await withBlock(() => modes.dispatch(to));
   }
   const inBlock = (act: (block: Block) => void | Promise<void>) =>
     withBlock(async (block) => {
@@ -127,7 +128,7 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
   const keeper = new Keeper([keptBlock, pair.kept], {
     now: () => modes.state.mode,
     show: (kept) => {
-      if (isMode(kept)) void show(kept);
+      if (isMode(kept)) void show(kept, true);
     },
     watch: (changed) => modes.watch(['mode'], changed),
   });
