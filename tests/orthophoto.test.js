@@ -14,6 +14,7 @@ before(async () => {
     page,
     await pageModules([
       'block/engine/recorded',
+      'block/files/earlier-keys',
       'block/files/rasters',
       'block/state/under',
       'block/state/placing',
@@ -329,6 +330,31 @@ test('coordinates of a table have the system of the block: another one has those
     [false, false],
     [false, false],
   ]);
+});
+
+test('keys of places that earlier releases kept are written as they are now: of a table of positions, of film, of both', () => {
+  const { NO_PLACING } = page.placing;
+  const { placedFiles } = page.placed;
+  const files = [{ id: 1, name: 'a.tif', file: new Blob() }];
+  const table = { name: 'flight.csv', text: 'image,lon,lat\na.tif,8.25,50.5\n' };
+  const film = { camera: { name: 'film.json', text: '{}' }, marks: [{ name: 'a.csv', text: 'one' }] };
+  const settings = block_settings({});
+  /** Whether a place of such a key is out of date. @param {string} key @param {any} given @param {any} positions */
+  const isStale = (key, given, positions) => {
+    const placed = new Map([[1, { key, result: null, problem: '' }]]);
+    const placing = page.earlier_keys.withPresentKeys({ ...NO_PLACING, film: given, placed }, files, { settings });
+    return placedFiles({ placing, files, options: { cameras: null, positions, settings } })[0].isStale;
+  };
+  const base = (/** @type {unknown[]} */ ...more) => JSON.stringify([null, 0, null, null, ...more]);
+  const scan = { camera: '{}', marks: 'one' };
+  assert.equal(isStale(base(table), NO_PLACING.film, table), false);
+  assert.equal(isStale(JSON.stringify([base(), scan]), film, null), false);
+  assert.equal(isStale(JSON.stringify([base(table), scan]), film, table), false);
+  assert.equal(isStale(base(), NO_PLACING.film, null), false);
+  // Placed without a table, by another one, or by something else.
+  assert.equal(isStale(base(), NO_PLACING.film, table), true);
+  assert.equal(isStale(base({ ...table, text: table.text.replace('50.5', '50.6') }), NO_PLACING.film, table), true);
+  assert.equal(isStale('', NO_PLACING.film, null), true);
 });
 
 test('marks of film are of the image of their name, which alone is placed anew with others', () => {
