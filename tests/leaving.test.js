@@ -267,7 +267,7 @@ test('where a pair cannot stay under Projects the user is asked before another o
 });
 
 test('a block that is opened or photographed while the project is left waits, and one that comes too late is not taken', async () => {
-  for (const give of /** @type {((files: any) => Promise<void>)[]} */ ([(files) => files.open(file('a.tiepoint')), (files) => files.sample({})])) {
+  for (const give of /** @type {((files: any) => Promise<void>)[]} */ ([(files) => files.open(file('a.tiepoint')), (files) => files.simulated.sample({})])) {
     const leaving = new page.leaving.Leaving();
     const reading = gate();
     /** @type {any[]} */

@@ -18,8 +18,10 @@ import { BlockEngine } from './engine/engine';
 import { PlacingEngine } from './engine/placing';
 import type { BlockStore } from './engine/engine';
 import { EditFollower } from './engine/follow';
-import { mountBlockEditKeys, mountEditBar, mountEditPanel } from './panel/edits';
-import type { Measures } from './panel/edits';
+import { mountEditBar } from './panel/edit-bar';
+import type { Measures } from './panel/edit-bar';
+import { mountBlockEditKeys } from './panel/edit-keys';
+import { mountEditPanel } from './panel/edit-panel';
 import { mountExports, saveAs } from './panel/exports';
 import { BlockFiles } from './files/files';
 import { KeptBlocks } from './files/keep';
@@ -132,7 +134,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   const status = mountBlockStatus(
     store,
     {
-      run: () => void files.run(),
+      run: () => void files.actions.run(),
       why: () => {
         showTab('tab-block-results');
         setDrawer('details', true);
@@ -140,8 +142,8 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
       },
       save: () => void saveAs(store, engine, 'project', 'block-next'),
       open: pick,
-      place: () => void files.place(),
-      decide: (purpose) => void files.decide(purpose),
+      place: () => void files.actions.place(),
+      decide: (purpose) => void files.actions.decide(purpose),
       cancel: () => {
         placing.cancel();
         onGround.cancel();
@@ -168,10 +170,10 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   const pickers = mountPlacingSettings(settings.panels[1], store, files);
   mountFlight(settings.panels[2], store, files);
   mountProgress(results.panels[0], store);
-  mountResults(results.panels[0], store, () => void files.takeOff());
+  mountResults(results.panels[0], store, () => void files.actions.takeOff());
   await breath();
-  const placedSample = () => void files.sampleOnOrthophoto({ ...catalogue.flight, ...PLACED_SAMPLE }, PLACED_GSD_M);
-  const sample = () => void files.sample({ ...catalogue.flight, ...SAMPLE });
+  const placedSample = () => void files.simulated.sampleOnOrthophoto({ ...catalogue.flight, ...PLACED_SAMPLE }, PLACED_GSD_M);
+  const sample = () => void files.simulated.sample({ ...catalogue.flight, ...SAMPLE });
   const facts = new Facts(store, engine);
   let measures: Measures | null = null;
   const images = imagesView(engine, facts, pick, (made) => {
@@ -240,8 +242,8 @@ function mountActions(host: HTMLElement, store: BlockStore, files: BlockFiles): 
   const buttons = [
     images,
     folder,
-    button(say('simulated-block'), 'block-simulate', () => void files.photograph(), say('photos-of-a-synthetic-scene')),
-    button(say('clear'), 'block-clear', () => void files.clear(), say('removes-all-images-an-edited')),
+    button(say('simulated-block'), 'block-simulate', () => void files.simulated.photograph(), say('photos-of-a-synthetic-scene')),
+    button(say('clear'), 'block-clear', () => void files.actions.clear(), say('removes-all-images-an-edited')),
   ];
   fill(host, ...buttons, imagesInput, folderInput);
   store.watch(['running', 'notice', 'files', 'shown', 'catalogue', 'placing'], ([, , given, shown, catalogue, placing]) => {

@@ -26,7 +26,7 @@ export function filmFields(store: BlockStore, files: BlockFiles): HTMLElement {
   );
   const remove = button(say('remove'), 'block-film-remove', () => taken.clear());
   remove.setAttribute('aria-label', say('remove-2', { title: say('scanned-film') }));
-  const frames = button(say('make-frames'), 'block-film-frames', () => void files.frames());
+  const frames = button(say('make-frames'), 'block-film-frames', () => void files.actions.frames());
   const cameraName = h('p', { class: 'note', testid: 'block-film-camera-name' });
   const marksNames = h('p', { class: 'note', testid: 'block-film-marks-names' });
   const problem = h('p', { class: 'field-problem', testid: 'block-film-problem' });
