@@ -127,7 +127,7 @@ test('masks and image measurements of scans become those of their frames, by fil
   const given = [[row('a.png', 'P2', 1, 1)], hand, undone].map((step) => ({ kind: 'measure', marks: step, after: 0 }));
   store.dispatch({ type: 'marks', marks: { edits: given, done: 2 } });
 
-  await page.frames.takeFrames(store, engine);
+  await page.frames.takeFrames(store, engine, () => {});
   const { files, options, marks: steps, notice, placing } = store.state;
   const names = (/** @type {readonly { name: string }[]} */ list) => list.map(({ name }) => name);
   assert.deepEqual(names(files), ['IMG_7.jpg', 'a-film.png', 'b-film.png']);
@@ -165,7 +165,7 @@ test('masks and image measurements of scans become those of their frames, by fil
   await again.take({ 'a.png': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS });
   const twice = ['a_mask.png', 'a.png'].map((name, k) => ({ id: 950 + k, name, file: new File([/** @type {BlobPart} */ (mask(1))], name) }));
   again.store.dispatch({ type: 'options', options: { masks: twice } });
-  await page.frames.takeFrames(again.store, engine);
+  await page.frames.takeFrames(again.store, engine, () => {});
   assert.match(again.store.state.notice.text, /^No images were made of the scans: .*a_mask\.png and a\.png/);
   assert.deepEqual(names(again.store.state.files), ['a.png']);
 });
@@ -178,10 +178,10 @@ test('a frame is called by its scan, whatever signs its name has', async () => {
 test('frames of a second film have their own camera beside that of the first, which keeps its rule', async () => {
   const { store, take } = taking();
   await take({ 'a.png': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS });
-  await page.frames.takeFrames(store, engine);
+  await page.frames.takeFrames(store, engine, () => {});
   const other = '{"focal_mm": 304, "uncertainty": {"focal": 0.001, "principal_point": 0, "k1": 0}}';
   await take({ 'c.png': SCAN, 'film.json': other, 'c.csv': FIDUCIALS });
-  await page.frames.takeFrames(store, engine);
+  await page.frames.takeFrames(store, engine, () => {});
   const names = () => store.state.files.map((/** @type {{ name: string }} */ { name }) => name);
   assert.deepEqual(names(), ['a-film.png', 'c-film2.png']);
   const rules = () => JSON.parse(store.state.options.cameras.text).cameras;
@@ -196,11 +196,11 @@ test('frames of a second film have their own camera beside that of the first, wh
   );
   // More scans of the first film have its camera; of a film of which no image is left the rule is gone.
   await take({ 'b.png': SCAN, 'film.json': CAMERA, 'b.csv': FIDUCIALS });
-  await page.frames.takeFrames(store, engine);
+  await page.frames.takeFrames(store, engine, () => {});
   assert.deepEqual([names(), rules().length], [['a-film.png', 'b-film.png', 'c-film2.png'], 2]);
   store.dispatch({ type: 'files', files: store.state.files.slice(0, 1), truth: null });
   await take({ 'd.png': SCAN, 'film.json': '{"focal_mm": 88}', 'd.csv': FIDUCIALS });
-  await page.frames.takeFrames(store, engine);
+  await page.frames.takeFrames(store, engine, () => {});
   assert.deepEqual(
     rules().map((/** @type {any} */ { images, focal_px }) => [images, focal_px]),
     [
@@ -213,10 +213,10 @@ test('frames of a second film have their own camera beside that of the first, wh
 test('a scan whose image is there is refused before anything is changed', async () => {
   const { store, take } = taking();
   await take({ 'a.png': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS });
-  await page.frames.takeFrames(store, engine);
+  await page.frames.takeFrames(store, engine, () => {});
   await take({ 'A.png': SCAN, 'b.png': SCAN, 'film.json': CAMERA, 'A.csv': FIDUCIALS, 'b.csv': FIDUCIALS });
   const { files, options, placing } = store.state;
-  await page.frames.takeFrames(store, engine);
+  await page.frames.takeFrames(store, engine, () => {});
   assert.match(store.state.notice.text, /^A-film\.png, the image of a scan, is there already\. Nothing was changed/);
   assert.deepEqual([store.state.files, store.state.options, store.state.placing.film], [files, options, placing.film]);
 });
@@ -224,16 +224,15 @@ test('a scan whose image is there is refused before anything is changed', async 
 test('scans that are added to their film have the pixel of its camera, by which they have that camera', async () => {
   const { store, take } = taking();
   await take({ 'a.png': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS });
-  await page.frames.takeFrames(store, engine);
+  await page.frames.takeFrames(store, engine, () => {});
   /** @type {any[]} */
   const given = [];
   await take({ 'b.png': SCAN, 'film.json': CAMERA, 'b.csv': FIDUCIALS });
-  await page.frames.takeFrames(store, {
-    frames: async (/** @type {any} */ _scans, /** @type {any[]} */ rules) => {
-      given.push(...rules);
-      return null;
-    },
-  });
+  const frames = async (/** @type {any} */ _scans, /** @type {any[]} */ rules) => {
+    given.push(...rules);
+    return null;
+  };
+  await page.frames.takeFrames(store, { frames }, () => {});
   assert.deepEqual(
     given.map(({ images, pixel_mm }) => [images, pixel_mm]),
     [['*-film.png', 0.5]],

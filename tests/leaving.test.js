@@ -136,6 +136,40 @@ test('what was given before New, or before another project is opened, comes too 
   assert.throws(later, page.leaving.ProjectLeft);
 });
 
+test('who waits until one way of leaving has ended goes on before the next one begins', async () => {
+  const leaving = new page.leaving.Leaving();
+  /** @type {string[]} */
+  const order = [];
+  const through = async (/** @type {number} */ deep) => {
+    if (deep > 0) await through(deep - 1);
+    else await leaving.inTurn(async () => order.push('put aside'));
+  };
+  const first = through(10).then(() => order.push('went on'));
+  await Promise.all([first, leaving.inTurn(async () => order.push('left'))]);
+  assert.deepEqual(order, ['put aside', 'went on', 'left']);
+});
+
+test('what is to be done with a project that is being left is nothing for the next one, and goes on where that cannot be opened', async () => {
+  const { keeper, show } = await keeping();
+  show('first');
+  await keeper.flush();
+  const begun = keeper.anew();
+  await assert.rejects(keeper.stays(), page.leaving.ProjectLeft);
+  await begun;
+  const opened = keeper.open('none');
+  const here = await keeper.stays();
+  await opened;
+  here();
+  void keeper.anew();
+  /** @type {string[]} */
+  const done = [];
+  await page.leaving.doHere(
+    () => keeper.stays(),
+    async () => done.push('not here'),
+  );
+  assert.deepEqual(done, []);
+});
+
 /**
  * The files of a pair, beside a blank one, whose images and masks are read when `reading` is over. `stays`: whether a pair can stay in the list.
  * @param {Promise<unknown>} reading
@@ -233,7 +267,7 @@ test('where a pair cannot stay under Projects the user is asked before another o
 });
 
 test('a block that is opened or photographed while the project is left waits, and one that comes too late is not taken', async () => {
-  for (const give of /** @type {((files: any) => Promise<void>)[]} */ ([(files) => files.open(file('a.tiepoint')), (files) => files.sample({})])) {
+  for (const give of /** @type {((files: any) => Promise<void>)[]} */ ([(files) => files.open(file('a.tiepoint')), (files) => files.simulated.sample({})])) {
     const leaving = new page.leaving.Leaving();
     const reading = gate();
     /** @type {any[]} */
@@ -248,6 +282,7 @@ test('a block that is opened or photographed while the project is left waits, an
       () => Promise.resolve(),
       () => Promise.resolve(true),
       () => leaving.left(),
+      () => leaving.stays(),
     );
     const leave = gate();
     void leaving.inTurn(() => leave.opened);

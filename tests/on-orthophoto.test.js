@@ -106,7 +106,7 @@ test('that images record positions elsewhere is said until they, or their block,
   const images = after(given[0], said);
   const result = (/** @type {object | null} */ placement) => ({
     type: 'placed',
-    image: 1,
+    image: images.files[0],
     placed: { key: '', result: { placement }, problem: '', steps: [], done: 0 },
   });
   assert.deepEqual([doubtOf(after(given[0])), doubtOf(images)], ['', 'elsewhere']);
@@ -486,7 +486,7 @@ test('the orthophoto shows the block that lies on its ground, unless each image 
   // An image that was placed by itself is not what is looked at then.
   const placed = { key: '', result: null, problem: '', found: null, steps: [], done: 0 };
   const both = [
-    { type: 'placed', image: 1, placed },
+    { type: 'placed', image: given.files[0], placed },
     { type: 'choosePlaced', looked: { image: 1, link: null } },
   ].reduce(reduce, reduce(given, { type: 'purpose', purpose: 'block' }));
   assert.equal(chosenPlaced(both), null);

@@ -46,7 +46,7 @@ async function opened() {
   const open = (stays = true) => {
     const engine = { open: () => Promise.resolve() };
     const putAside = () => Promise.resolve(aside.push(store.state)).then(() => stays);
-    return page.pair.openPair(block, { dispatch: () => undefined }, store, engine, putAside, [0, 1]);
+    return page.pair.openPair(block, { dispatch: () => undefined }, { store, engine }, { putAside, stays: async () => () => undefined }, [0, 1]);
   };
   const names = () => ['left', 'right'].map((side) => store.state.images[side].name).join(' ');
   const mark = () => store.dispatch({ type: 'photo', side: 'left', photo: { fiducials: [{ image: [1, 2], photo_mm: [3, 4] }], origin: null } });

@@ -14,6 +14,7 @@ before(async () => {
     page,
     await pageModules([
       'block/engine/recorded',
+      'block/files/earlier-keys',
       'block/files/rasters',
       'block/state/under',
       'block/state/placing',
@@ -283,7 +284,7 @@ test('another orthophoto takes what was placed away; other settings mark it as e
   let placing = reducePlacing({ ...NO_PLACING, options }, { type: 'orthophoto', orthophoto: { raster, info, ofBlock: null } });
   assert.equal(unplacedFiles(state(placing)).length, 1);
   const key = placingKey(state(placing));
-  placing = reducePlacing(placing, { type: 'placed', image: 1, placed: { key, result: null, problem: 'no image' } });
+  placing = reducePlacing(placing, { type: 'placed', image: { id: 1 }, placed: { key, result: null, problem: 'no image' } });
   assert.deepEqual(
     placedFiles(state(placing)).map((/** @type {{ isStale: boolean }} */ { isStale }) => isStale),
     [false],
@@ -315,7 +316,7 @@ test('coordinates of a table have the system of the block: another one has those
     const positions = page.given_positions.givenPositions(before);
     const placing = files.reduce((now, { id, name }) => {
       const key = placingKeyOf(placingKey(before), { film: now.film, positions }, name);
-      return reducePlacing(now, { type: 'placed', image: id, placed: { key, result: null, problem: '' } });
+      return reducePlacing(now, { type: 'placed', image: { id }, placed: { key, result: null, problem: '' } });
     }, NO_PLACING);
     const of = (/** @type {string} */ crs) => placedFiles(state(placing, text, crs)).map((/** @type {{ isStale: boolean }} */ { isStale }) => isStale);
     return ['EPSG:32632', 'EPSG:32633'].map(of);
@@ -331,6 +332,31 @@ test('coordinates of a table have the system of the block: another one has those
   ]);
 });
 
+test('keys of places that earlier releases kept are written as they are now: of a table of positions, of film, of both', () => {
+  const { NO_PLACING } = page.placing;
+  const { placedFiles } = page.placed;
+  const files = [{ id: 1, name: 'a.tif', file: new Blob() }];
+  const table = { name: 'flight.csv', text: 'image,lon,lat\na.tif,8.25,50.5\n' };
+  const film = { camera: { name: 'film.json', text: '{}' }, marks: [{ name: 'a.csv', text: 'one' }] };
+  const settings = block_settings({});
+  /** Whether a place of such a key is out of date. @param {string} key @param {any} given @param {any} positions */
+  const isStale = (key, given, positions) => {
+    const placed = new Map([[1, { key, result: null, problem: '' }]]);
+    const placing = page.earlier_keys.withPresentKeys({ ...NO_PLACING, film: given, placed }, files, { settings });
+    return placedFiles({ placing, files, options: { cameras: null, positions, settings } })[0].isStale;
+  };
+  const base = (/** @type {unknown[]} */ ...more) => JSON.stringify([null, 0, null, null, ...more]);
+  const scan = { camera: '{}', marks: 'one' };
+  assert.equal(isStale(base(table), NO_PLACING.film, table), false);
+  assert.equal(isStale(JSON.stringify([base(), scan]), film, null), false);
+  assert.equal(isStale(JSON.stringify([base(table), scan]), film, table), false);
+  assert.equal(isStale(base(), NO_PLACING.film, null), false);
+  // Placed without a table, by another one, or by something else.
+  assert.equal(isStale(base(), NO_PLACING.film, table), true);
+  assert.equal(isStale(base({ ...table, text: table.text.replace('50.5', '50.6') }), NO_PLACING.film, table), true);
+  assert.equal(isStale('', NO_PLACING.film, null), true);
+});
+
 test('marks of film are of the image of their name, which alone is placed anew with others', () => {
   const { NO_PLACING, reducePlacing } = page.placing;
   const { placedFiles, placingKey, placingKeyOf, unplacedFiles } = page.placed;
@@ -344,7 +370,7 @@ test('marks of film are of the image of their name, which alone is placed anew w
   let placing = reducePlacing(NO_PLACING, { type: 'film', film });
   for (const { id, name } of files) {
     const key = placingKeyOf(placingKey(state(placing)), { film: placing.film, positions: new Map() }, name);
-    placing = reducePlacing(placing, { type: 'placed', image: id, placed: { key, result: null, problem: '' } });
+    placing = reducePlacing(placing, { type: 'placed', image: { id }, placed: { key, result: null, problem: '' } });
   }
   const stale = (/** @type {any} */ of) => placedFiles(state(of)).map((/** @type {{ isStale: boolean }} */ { isStale }) => isStale);
   assert.deepEqual(stale(placing), [false, false]);

@@ -124,8 +124,8 @@ test('an image of the block that is placed on the orthophoto is chosen in both, 
     { type: 'files', files, truth: null },
     // In another order than the files, and one of them is in no block.
     shown(viewOf('b', 'a')),
-    { type: 'placed', image: 10, placed },
-    { type: 'placed', image: 12, placed },
+    { type: 'placed', image: files[0], placed },
+    { type: 'placed', image: files[2], placed },
   );
   const chosen = (/** @type {any} */ { selection, placing }) => [selection.chosen, placing.chosen];
   assert.deepEqual(chosen(after(start, choose({ kind: 'image', image: 1 }))), [

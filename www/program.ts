@@ -79,6 +79,7 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
       openProject,
       putAside: (kept) => keeper.putAside(kept),
       left: () => keeper.left(),
+      stays: () => keeper.stays(),
     });
     keptBlock.arrive(block.kept);
     takers.unshift(block.taker);
@@ -92,9 +93,10 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
     });
     if (block !== undefined) await act(block);
   }
-  async function show(mode: Mode): Promise<void> {
-    if (mode === 'pair') modes.dispatch(mode);
-    else await withBlock(() => modes.dispatch(mode));
+  async function show(mode: Mode, isKept = false): Promise<void> {
+    const to = isKept ? { kept: mode } : mode;
+    if (mode === 'pair') modes.dispatch(to);
+    else await withBlock(() => modes.dispatch(to));
   }
   const inBlock = (act: (block: Block) => void | Promise<void>) =>
     withBlock(async (block) => {
@@ -126,7 +128,7 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
   const keeper = new Keeper([keptBlock, pair.kept], {
     now: () => modes.state.mode,
     show: (kept) => {
-      if (isMode(kept)) void show(kept);
+      if (isMode(kept)) void show(kept, true);
     },
     watch: (changed) => modes.watch(['mode'], changed),
   });
@@ -171,7 +173,7 @@ async function loadBlock(
       names: () => [pair.store.state.images.left?.name ?? null, pair.store.state.images.right?.name ?? null],
       watch: (changed) => pair.store.watch(['images'], changed),
     },
-    openPair: (store, images) => openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images),
+    openPair: (store, images) => openPair(store, elsewhere.modes, pair, { putAside: () => elsewhere.putAside(pair.kept), stays: elsewhere.stays }, images),
   });
   block.store.dispatch({ type: 'ready', catalogue: ofBlocks });
   return block;

@@ -122,6 +122,9 @@ test('Back and Forward go between the views and pairs of a block, lose nothing, 
   assert.ok(await part(page, 'status').isVisible());
   await page.goBack();
   await shows('map');
+  // The pair's part, where the page was opened.
+  await page.goBack();
+  await page.waitForFunction(() => document.body.dataset.mode === 'pair');
   await page.goBack();
   assert.equal(page.url(), 'about:blank');
   assert.deepEqual(complaints, []);

@@ -18,8 +18,10 @@ import { BlockEngine } from './engine/engine';
 import { PlacingEngine } from './engine/placing';
 import type { BlockStore } from './engine/engine';
 import { EditFollower } from './engine/follow';
-import { mountBlockEditKeys, mountEditBar, mountEditPanel } from './panel/edits';
-import type { Measures } from './panel/edits';
+import { mountEditBar } from './panel/edit-bar';
+import type { Measures } from './panel/edit-bar';
+import { mountBlockEditKeys } from './panel/edit-keys';
+import { mountEditPanel } from './panel/edit-panel';
 import { mountExports, saveAs } from './panel/exports';
 import { BlockFiles } from './files/files';
 import { KeptBlocks } from './files/keep';
@@ -82,17 +84,23 @@ interface Elsewhere {
   putAside: (part: Keepable) => Promise<boolean>;
   /** Waits for the project that is being left. */
   left: () => Promise<Here>;
+  /** Waits for it with what is done with the project that is shown now. */
+  stays: () => Promise<Here>;
 }
 
 /** In pieces, between which the page answers what the user does. */
-export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, pair, openProject, putAside, left }: Elsewhere): Promise<Block> {
+export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, pair, openProject, putAside, left, stays }: Elsewhere): Promise<Block> {
   const store: BlockStore = new Holder(BLOCK_INITIAL, reduceBlock);
   const engine = new BlockEngine(store);
   const placing = new PlacingEngine(store);
   const onGround = new BlockPlacing(store, engine, placing);
   const runs = new BlockRuns(store, engine, placing, onGround);
-  const kept = new KeptBlocks(store, engine, catalogue);
-  const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept), left);
+  const kept = new KeptBlocks(store, engine, catalogue, () => {
+    placing.cancel();
+    onGround.cancel();
+    engine.leave();
+  });
+  const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept), left, stays);
   const looking = {
     choose: (choice: Choice | null) => store.dispatch({ type: 'choose', choice }),
     point: (choice: Choice | null) => store.dispatch({ type: 'point', choice }),
@@ -126,7 +134,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   const status = mountBlockStatus(
     store,
     {
-      run: () => void files.run(),
+      run: () => void files.actions.run(),
       why: () => {
         showTab('tab-block-results');
         setDrawer('details', true);
@@ -134,8 +142,8 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
       },
       save: () => void saveAs(store, engine, 'project', 'block-next'),
       open: pick,
-      place: () => void runs.placeImages(),
-      decide: (purpose) => void files.decide(purpose),
+      place: () => void files.actions.place(),
+      decide: (purpose) => void files.actions.decide(purpose),
       cancel: () => {
         placing.cancel();
         onGround.cancel();
@@ -159,13 +167,13 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   await breath();
   mountSettings(settings.panels[0], store, files, opener);
   await breath();
-  const pickers = mountPlacingSettings(settings.panels[1], store, files, placing);
+  const pickers = mountPlacingSettings(settings.panels[1], store, files);
   mountFlight(settings.panels[2], store, files);
   mountProgress(results.panels[0], store);
-  mountResults(results.panels[0], store, () => void runs.takeOff());
+  mountResults(results.panels[0], store, () => void files.actions.takeOff());
   await breath();
-  const placedSample = () => void files.sampleOnOrthophoto({ ...catalogue.flight, ...PLACED_SAMPLE }, PLACED_GSD_M);
-  const sample = () => void files.sample({ ...catalogue.flight, ...SAMPLE });
+  const placedSample = () => void files.simulated.sampleOnOrthophoto({ ...catalogue.flight, ...PLACED_SAMPLE }, PLACED_GSD_M);
+  const sample = () => void files.simulated.sample({ ...catalogue.flight, ...SAMPLE });
   const facts = new Facts(store, engine);
   let measures: Measures | null = null;
   const images = imagesView(engine, facts, pick, (made) => {
@@ -234,8 +242,8 @@ function mountActions(host: HTMLElement, store: BlockStore, files: BlockFiles): 
   const buttons = [
     images,
     folder,
-    button(say('simulated-block'), 'block-simulate', () => void files.photograph(), say('photos-of-a-synthetic-scene')),
-    button(say('clear'), 'block-clear', () => void files.clear(), say('removes-all-images-an-edited')),
+    button(say('simulated-block'), 'block-simulate', () => void files.simulated.photograph(), say('photos-of-a-synthetic-scene')),
+    button(say('clear'), 'block-clear', () => void files.actions.clear(), say('removes-all-images-an-edited')),
   ];
   fill(host, ...buttons, imagesInput, folderInput);
   store.watch(['running', 'notice', 'files', 'shown', 'catalogue', 'placing'], ([, , given, shown, catalogue, placing]) => {

@@ -1,6 +1,8 @@
 /** From a pair of the block to the pair's part of the page, and back. */
 import type { Engine } from '../pair/engine/engine';
 import type { CameraMm } from '../shared/crate';
+import { doHere } from '../shared/files/leaving';
+import type { Here } from '../shared/files/leaving';
 import type { Modes } from '../shared/state/mode';
 import { hasData, isWorthKeeping } from '../pair/state/kept';
 import { SIDES } from '../pair/state/state';
@@ -32,9 +34,10 @@ function isOwn(state: State): boolean {
 }
 
 /** Leaves the pair on the page in the list of projects; its title where it is there now, null where it cannot be and the user keeps it. */
-async function leave(block: BlockStore, state: State, putAside: () => Promise<boolean>): Promise<string | null> {
+async function leave(block: BlockStore, state: State, putAside: () => Promise<boolean>, here: Here): Promise<string | null> {
   block.dispatch({ type: 'notice', notice: { kind: 'busy', text: say('keeping-the-pair') } });
   const stays = await putAside();
+  here();
   block.dispatch({ type: 'notice', notice: null });
   if (stays) return titleOf({ name: null, images: SIDES.flatMap((side) => state.images[side]?.name ?? []) });
   return window.confirm(say('cannot-be-kept-in-this', { edits: say('the-pair-with-its-marks'), step: say('open-the-pair-of-the-block'), length: 1 }))
@@ -42,14 +45,30 @@ async function leave(block: BlockStore, state: State, putAside: () => Promise<bo
     : null;
 }
 
+interface Pair {
+  store: Store;
+  engine: Engine;
+}
+
+interface Projects {
+  /** Leaves the pair on the page in the list of projects; false where it cannot be. */
+  putAside: () => Promise<boolean>;
+  /** Waits for the project that is being left: a pair is opened of the block that is shown now. */
+  stays: () => Promise<Here>;
+}
+
 /** Opens both images with the strategy that the block used; where one cannot be opened the block stays. A pair that the user worked on stays in the list of projects. */
-export async function openPair(
+export function openPair(block: BlockStore, modes: Modes, pair: Pair, { putAside, stays }: Projects, images: [number, number]): Promise<void> {
+  return doHere(stays, (here) => opened(block, modes, pair, putAside, images, here));
+}
+
+async function opened(
   block: BlockStore,
   modes: Modes,
-  store: Store,
-  engine: Engine,
+  { store, engine }: Pair,
   putAside: () => Promise<boolean>,
   [a, b]: [number, number],
+  here: Here,
 ): Promise<void> {
   const { shown } = block.state;
   if (shown === null) return;
@@ -64,11 +83,13 @@ export async function openPair(
   try {
     camera = cameraOfImages(shown.view, a, b);
     await Promise.all([engine.open('left', images.left), engine.open('right', images.right)]);
+    here();
   } catch (error) {
+    here();
     tell(block, modes, say('the-pair-cannot-be-shown', { error: messageOf(error) }));
     return;
   }
-  const stays = isOwn(store.state) ? await leave(block, store.state, putAside) : '';
+  const stays = isOwn(store.state) ? await leave(block, store.state, putAside, here) : '';
   if (stays === null) return;
   readyFor(store, block, camera);
   store.dispatch({ type: 'images', images });

@@ -47,6 +47,8 @@ export class BlockEngine {
   private readonly kept = new Map<string, Blob>();
   private recorded: () => void = () => undefined;
   private port: MessagePort | null = null;
+  /** What a run tells, also one that was stopped and has not ended. */
+  private told: MessagePort | null = null;
   /** Opens a project; what it read is not held yet, or was not wanted. */
   private reading: WorkerClient<BlockCalls> | null = null;
   /** Of the worker that holds the block. */
@@ -96,6 +98,7 @@ export class BlockEngine {
     } finally {
       channel.port1.close();
       if (this.port === channel.port1) this.port = null;
+      if (this.told === channel.port1) this.told = null;
     }
   }
 
@@ -114,6 +117,15 @@ export class BlockEngine {
       },
       port === null ? EXPORT_PATIENCE_MS : PATIENCE_MS,
     );
+  }
+
+  /** Ends the run of a project that is left: nothing of it is shown or kept any more. */
+  leave(): void {
+    if (this.told === null) return;
+    this.told.onmessage = null;
+    this.port = null;
+    this.pool.cancel();
+    this.block.cancel();
   }
 
   /** Records of images and pairs that were done. */
@@ -279,6 +291,7 @@ export class BlockEngine {
 
   private listen(port: MessagePort, files: readonly BlockFile[]): void {
     this.port = port;
+    this.told = port;
     port.onmessage = (event: MessageEvent<FromRun>) => {
       const message = event.data;
       if (message.kind === 'keep') {

@@ -84,15 +84,15 @@ export class LinkHands {
     const own = { key, problem, found };
     const tell = (text: string) => this.store.dispatch({ type: 'notice', notice: { kind: 'problem', text } });
     this.store.dispatch({ type: 'notice', notice: null });
-    this.store.dispatch({ type: 'placed', image: file.id, placed: { ...own, result, steps, done } });
+    this.store.dispatch({ type: 'placed', image: file, placed: { ...own, result, steps, done } });
     try {
       const adjusted = await this.engine.adjust(file, found, steps.slice(0, done));
-      this.store.dispatch({ type: 'placed', image: file.id, placed: { ...own, result: adjusted, steps, done } });
+      this.store.dispatch({ type: 'placed', image: file, placed: { ...own, result: adjusted, steps, done } });
       const added = steps[done - 1]?.kind === 'add' && done > before ? shownLinks({ result: adjusted, steps, done }) : null;
       // How well it fits is seen at once.
       if (added !== null) this.store.dispatch({ type: 'choosePlaced', looked: { image: file.id, link: added.count - 1 } });
     } catch (error) {
-      this.store.dispatch({ type: 'placed', image: file.id, placed: { ...own, result, steps: former, done: before } });
+      this.store.dispatch({ type: 'placed', image: file, placed: { ...own, result, steps: former, done: before } });
       const last = steps[done - 1];
       if (!(error instanceof Cancelled))
         tell(say('not-done', { what: last === undefined ? '' : say('n-', { last: stepName(last) }), sentence: sentence(messageOf(error)) }));

@@ -139,7 +139,7 @@ export class PlacingEngine {
         const result = steps.length === 0 ? found : await this.adjust(file, found, steps).catch(() => found);
         this.store.dispatch({
           type: 'placed',
-          image: id,
+          image: file,
           placed: { key: placingKeyOf(key, { film, positions }, name), result, problem, found, steps, done: steps.length },
         });
         tell(waiting[0] === undefined ? say('placing-2') : say('placing', { name: waiting[0].name }));

@@ -1,5 +1,6 @@
 /** Takes the camera and the fiducial marks of scanned film in, as the crate reads them. */
 import { parse_camera, parse_fiducials } from '../../../pkg/wasm/tiepoint.js';
+import type { Here, TakeHere } from '../../shared/files/leaving';
 import { sentence } from '../../shared/text/format';
 import { messageOf } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
@@ -17,34 +18,42 @@ interface Said {
 }
 
 export class FilmFiles {
-  constructor(private readonly store: BlockStore) {}
+  constructor(
+    private readonly store: BlockStore,
+    private readonly takeHere: TakeHere,
+  ) {}
 
   /** In place of the camera that is there. */
-  async takeCamera(file: File): Promise<void> {
-    this.tell(await this.camera(file));
+  takeCamera(file: File): Promise<void> {
+    return this.takeHere([file.name], async (here) => this.tell(await this.camera(file, here)));
   }
 
   /** Marks of scans, beside those of others. */
-  async takeMarks(files: readonly File[]): Promise<void> {
-    this.tell(await this.marks(files));
+  takeMarks(files: readonly File[]): Promise<void> {
+    return this.takeHere(
+      files.map(({ name }) => name),
+      async (here) => this.tell(await this.marks(files, here)),
+    );
   }
 
   /** Takes the camera, and gives what is said of it. */
-  async camera(file: File): Promise<Said> {
+  async camera(file: File, here: Here): Promise<Said> {
     const camera = await this.read(file, parse_camera);
+    here();
     if (typeof camera === 'string') return { kind: 'problem', text: camera };
     this.store.dispatch({ type: 'film', film: { ...this.store.state.placing.film, camera } });
     return { kind: 'info', text: say('from', { texts: say('film-camera'), name: file.name }) };
   }
 
   /** Takes marks, all of them or none, and gives what is said of them. */
-  async marks(files: readonly File[]): Promise<Said> {
+  async marks(files: readonly File[], here: Here): Promise<Said> {
     const marks: TextFile[] = [];
     for (const file of files) {
       const read = await this.read(file, parse_fiducials);
       if (typeof read === 'string') return { kind: 'problem', text: read };
       marks.push(read);
     }
+    here();
     this.store.dispatch({ type: 'film', film: withMarks(this.store.state.placing.film, marks) });
     const names = files.slice(0, LISTED).map(({ name }) => name);
     const name = names.join(', ') + (files.length > LISTED ? ' …' : '');

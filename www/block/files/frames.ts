@@ -9,6 +9,7 @@ import {
   parse_image_measurements,
 } from '../../../pkg/wasm/tiepoint.js';
 import type { CameraRule, FrameOfScan, ImageMeasurementRow } from '../../../pkg/wasm/tiepoint.js';
+import type { Here } from '../../shared/files/leaving';
 import { sentence } from '../../shared/text/format';
 import { messageOf } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
@@ -25,7 +26,7 @@ import { newId } from './ids';
 const LISTED = 3;
 
 /** Puts frames in the place of all images that have fiducial marks, with their masks and their camera. */
-export async function takeFrames(store: BlockStore, engine: PlacingEngine): Promise<void> {
+export async function takeFrames(store: BlockStore, engine: PlacingEngine, here: Here): Promise<void> {
   const { files, placing, options } = store.state;
   const scans = framesOf(placing.film, files);
   const stems = scans.map(({ name }) => stemOf(name));
@@ -41,9 +42,11 @@ export async function takeFrames(store: BlockStore, engine: PlacingEngine): Prom
       return film === null ? [] : [{ file, film, mask: masks[k] ?? null }];
     });
     const frames = await engine.frames(films, camerasThere(files, options.cameras));
+    here();
     if (frames === null) store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('cancelled-nothing-was-changed') } });
     else replace(store, frames);
   } catch (error) {
+    here();
     store.dispatch({ type: 'notice', notice: { kind: 'problem', text: say('no-frames-were-made', { sentence: sentence(messageOf(error)) }) } });
   }
 }

@@ -1,4 +1,5 @@
 /** Takes orthophotos, heights and world files in, and says what they are. */
+import type { Here } from '../../shared/files/leaving';
 import { Cancelled } from '../../shared/engine/client';
 import { fixed, sentence } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
@@ -20,24 +21,24 @@ export class GroundFiles {
   ) {}
 
   /** Gives what is said of them, nothing where nothing was given; null where one of them was refused, which is said. */
-  async take({ orthophotos, heights, worlds, projections }: Omit<Sorted, 'others' | 'degrees'>): Promise<string | null> {
+  async take({ orthophotos, heights, worlds, projections }: Omit<Sorted, 'others' | 'degrees'>, here: Here): Promise<string | null> {
     const said: string[] = [];
     const [orthophoto, ...more] = orthophotos;
     if (orthophoto !== undefined) {
-      const taken = await this.takeOrthophoto(orthophoto);
+      const taken = await this.takeOrthophoto(orthophoto, here);
       if (taken === null) return null;
       said.push(taken);
     }
     if (more.length > 0) said.push(say('skipped-a-project-has-one', { more: named(more) }));
     const [model, ...others] = heights;
     if (model !== undefined) {
-      const taken = await this.takeHeights(model);
+      const taken = await this.takeHeights(model, here);
       if (taken === null) return null;
       said.push(taken);
     }
     if (others.length > 0) said.push(say('skipped-an-orthophoto-has-one', { others: named(others) }));
     for (const world of worlds) {
-      const taken = await this.takeWorld(world, projections.find(({ name }) => stemOf(name) === stemOf(world.name)) ?? null);
+      const taken = await this.takeWorld(world, projections.find(({ name }) => stemOf(name) === stemOf(world.name)) ?? null, here);
       if (taken === null) return null;
       said.push(taken);
     }
@@ -45,52 +46,60 @@ export class GroundFiles {
   }
 
   /** Takes a picture of the ground in place of the one that is there. */
-  async takeOrthophoto(found: FoundRaster): Promise<string | null> {
+  private async takeOrthophoto(found: FoundRaster, here: Here): Promise<string | null> {
     const { file } = found;
     this.tell('busy', say('reading-the-orthophoto', { name: file.name }));
     try {
       const orthophoto = await this.engine.open(await rasterOf(found));
+      here();
       this.store.dispatch({ type: 'orthophoto', orthophoto });
       this.store.dispatch({ type: 'stage', view: 'orthophoto' });
       this.quiet();
       return orthophotoText(orthophoto);
     } catch (error) {
+      here();
       this.refused(say('cannot-be-used-as-an', { name: file.name }), error);
       return null;
     }
   }
 
   /** Takes a height model in place of the heights that are there. */
-  async takeHeights(found: FoundRaster): Promise<string | null> {
-    return this.setHeights(found.file.name, async () => ({ kind: 'model', model: await rasterOf(found) }));
+  private takeHeights(found: FoundRaster, here: Here): Promise<string | null> {
+    return this.setHeights(here, found.file.name, async () => ({ kind: 'model', model: await rasterOf(found) }));
   }
 
   /** Takes one height for all of the ground. */
-  async takeLevel(height: number): Promise<string | null> {
-    return this.setHeights(withUnit(fixed(height, 2), unitOfOrthophoto(this.store.state.placing.orthophoto)), () => Promise.resolve({ kind: 'level', height }));
+  takeLevel(height: number, here: Here): Promise<string | null> {
+    return this.setHeights(here, withUnit(fixed(height, 2), unitOfOrthophoto(this.store.state.placing.orthophoto)), () =>
+      Promise.resolve({ kind: 'level', height }),
+    );
   }
 
-  private async setHeights(name: string, made: () => Promise<GivenHeights>): Promise<string | null> {
+  private async setHeights(here: Here, name: string, made: () => Promise<GivenHeights>): Promise<string | null> {
     if (this.store.state.placing.orthophoto === null) {
       this.tell('problem', say('holds-heights-give-their-orthophoto', { name }));
       return null;
     }
     this.tell('busy', say('reading-the-heights', { name }));
     try {
-      await this.engine.setHeights(await made());
+      const heights = await made();
+      here();
+      await this.engine.setHeights(heights);
+      here();
       this.quiet();
-      const { heights, orthophoto } = this.store.state.placing;
+      const { orthophoto } = this.store.state.placing;
       const [from, to] = orthophoto?.info.heights ?? [];
       if (heights.kind === 'level') return say('the-ground-is-level-at', { name });
       return say('heights-from-to', { name, from, to, unit: unitText(unitOfOrthophoto(orthophoto)) });
     } catch (error) {
+      here();
       this.refused(say('cannot-be-used-as-heights', { name }), error);
       return null;
     }
   }
 
   /** A world file by itself places the image of its name, which then is no photograph. */
-  private async takeWorld(world: File, projection: File | null): Promise<string | null> {
+  private async takeWorld(world: File, projection: File | null, here: Here): Promise<string | null> {
     const stem = stemOf(world.name);
     const { files, truth } = this.store.state;
     const image = files.find(({ name }) => stemOf(name) === stem);
@@ -98,7 +107,7 @@ export class GroundFiles {
       this.tell('problem', say('says-where-a-picture-of', { name: world.name }));
       return null;
     }
-    const taken = await this.takeOrthophoto({ file: new File([image.file], image.name, { type: image.file.type }), world, projection });
+    const taken = await this.takeOrthophoto({ file: new File([image.file], image.name, { type: image.file.type }), world, projection }, here);
     if (taken !== null) this.store.dispatch({ type: 'files', files: files.filter((file) => file !== image), truth });
     return taken;
   }

@@ -16,6 +16,7 @@ import type { EditStep } from '../state/edits';
 import type { Former } from '../state/former';
 import type { OnGround } from '../state/placing';
 import { bytesOfMarks, bytesOfStep, markStepFrom, stepFrom } from './edit';
+import { withPresentKeys } from './earlier-keys';
 import { passIds } from './ids';
 import { formerFrom, formerParts, placesFrom } from './keep-former';
 import { keptPlacing, placingFrom, rastersOf, sizeOfPlaced } from './keep-placing';
@@ -44,6 +45,8 @@ export class KeptBlocks implements Keepable {
     private readonly store: BlockStore,
     private readonly engine: BlockEngine,
     private readonly catalogue: BlockCatalogue,
+    /** Ends what goes on with the block: what comes of it belongs to no project any more. */
+    private readonly end: () => void,
   ) {}
 
   watch(changed: () => void): void {
@@ -108,7 +111,8 @@ export class KeptBlocks implements Keepable {
     const masks = kept.masks.map((file) => fileFrom(parts, file));
     const geoid = orNull(kept.geoid, (file) => fileFrom(parts, file));
     const placed = new Map([...parts].flatMap(([part, value]) => (part.startsWith(PLACED) ? [[Number(part.slice(PLACED.length)), value] as const] : [])));
-    const placing = placingFrom(kept.placing, placed, this.catalogue, fileOf, (file) => fileFrom(parts, file));
+    const given = placingFrom(kept.placing, placed, this.catalogue, fileOf, (file) => fileFrom(parts, file));
+    const placing = withPresentKeys(given, files, kept.options);
     const history = this.journal.read(parts);
     const marks = this.marks.read(parts);
     const { former, damage } = formerOrNone(parts, history);
@@ -142,8 +146,7 @@ export class KeptBlocks implements Keepable {
   clear(): void {
     this.made = null;
     this.engine.keepSpare(null);
-    // What comes of an earlier run belongs to no project any more.
-    if (this.store.state.running.kind === 'yes') this.engine.cancel();
+    this.end();
     this.engine.takeRecords(new Map());
     this.store.dispatch({ type: 'cleared' });
   }

@@ -3,32 +3,30 @@ import { button, fill, h } from '../../shared/panel/dom';
 import { fileButton } from '../../shared/panel/picker';
 import { say } from '../../shared/text/words';
 import type { BlockStore } from '../engine/engine';
-import type { PlacingEngine } from '../engine/placing';
-import { FilmFiles } from '../files/film';
-import { takeFrames } from '../files/frames';
+import type { BlockFiles } from '../files/files';
 import { framesOf, marksOfNone } from '../state/film';
 import { isBusy } from '../state/state';
 
 /** Names of marks that are listed, at most. */
 const LISTED = 3;
 
-export function filmFields(store: BlockStore, engine: PlacingEngine): HTMLElement {
-  const files = new FilmFiles(store);
+export function filmFields(store: BlockStore, files: BlockFiles): HTMLElement {
+  const { film: taken } = files;
   const [camera, cameraInput] = fileButton(
     `${say('film-camera')} …`,
     { testid: 'block-film-camera', label: say('file', { title: say('film-camera') }), accept: '.json,application/json' },
     ([file]) => {
-      if (file !== undefined) void files.takeCamera(file);
+      if (file !== undefined) void taken.takeCamera(file);
     },
   );
   const [marks, marksInput] = fileButton(
     `${say('marks-of-scans')} …`,
     { testid: 'block-film-marks', label: say('file', { title: say('marks-of-scans') }), multiple: true, accept: '.csv,.txt,text/*' },
-    (given) => void files.takeMarks(given),
+    (given) => void taken.takeMarks(given),
   );
-  const remove = button(say('remove'), 'block-film-remove', () => files.clear());
+  const remove = button(say('remove'), 'block-film-remove', () => taken.clear());
   remove.setAttribute('aria-label', say('remove-2', { title: say('scanned-film') }));
-  const frames = button(say('make-frames'), 'block-film-frames', () => void takeFrames(store, engine));
+  const frames = button(say('make-frames'), 'block-film-frames', () => void files.actions.frames());
   const cameraName = h('p', { class: 'note', testid: 'block-film-camera-name' });
   const marksNames = h('p', { class: 'note', testid: 'block-film-marks-names' });
   const problem = h('p', { class: 'field-problem', testid: 'block-film-problem' });

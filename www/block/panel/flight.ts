@@ -17,7 +17,7 @@ export function mountFlight(host: HTMLElement, store: BlockStore, files: BlockFi
       },
       defaults: () => catalogue.flight,
     });
-    const take = button(say('photograph-this-block'), 'block-photograph', () => void files.photograph());
+    const take = button(say('photograph-this-block'), 'block-photograph', () => void files.simulated.photograph());
     take.className = 'primary';
     fill(host, h('p', { class: 'note' }, say('a-flight-in-strips-over')), h('div', { class: 'buttons' }, take), ...sections.elements);
     store.watch(['flight'], ([flight]) => {

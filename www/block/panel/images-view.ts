@@ -19,7 +19,7 @@ import { describe } from '../state/words';
 import { ImagesView } from '../view/images/images';
 import type { Looking } from '../view/looking';
 import type { At, Pane } from '../view/images/scene';
-import type { Measures } from './edits';
+import type { Measures } from './edit-bar';
 import { KEYS_ID } from './view';
 import type { StageView } from './view';
 import { say } from '../../shared/text/words';

@@ -6,7 +6,6 @@ import { fileButton } from '../../shared/panel/picker';
 import { makeSections } from '../../shared/panel/sections';
 import { withSetting } from '../../shared/panel/settings';
 import type { BlockStore } from '../engine/engine';
-import type { PlacingEngine } from '../engine/placing';
 import { filmFields } from './film-settings';
 import type { BlockFiles } from '../files/files';
 import { orthophotoText } from '../files/ground';
@@ -27,7 +26,7 @@ export interface PlacingPickers {
   heights: () => void;
 }
 
-export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files: BlockFiles, engine: PlacingEngine): PlacingPickers {
+export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files: BlockFiles): PlacingPickers {
   const accept = 'image/*,.tif,.tiff,.tfw,.jgw,.pgw,.wld,.prj,.asc,.txt';
   const [orthophoto, orthophotoInput] = fileButton(
     say('orthophoto-2'),
@@ -73,7 +72,7 @@ export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files
       defaults: () => ({ placing: catalogue.placing }),
       refused: (parameter) => store.dispatch({ type: 'refused', parameter }),
     });
-    fill(host, given, filmFields(store, engine), ...sections.elements);
+    fill(host, given, filmFields(store, files), ...sections.elements);
     store.watch(
       (s) => [s.placing.options] as const,
       ([options]) => {

@@ -117,7 +117,7 @@ function masks(store: BlockStore, files: BlockFiles): HTMLElement {
     'masks',
     say('masks'),
     { multiple: true, accept: 'image/*,.tif,.tiff,.pgm,.pnm' },
-    (given) => files.takeMasks(given),
+    (given) => files.beside.takeMasks(given),
     () => store.dispatch({ type: 'options', options: { masks: [] } }),
   );
   store.watch(
@@ -144,7 +144,7 @@ function geoid(store: BlockStore, files: BlockFiles): HTMLElement {
     say('geoid'),
     { accept: '.gtx,.tif,.tiff,.pgm' },
     ([file]) => {
-      if (file !== undefined) files.takeGeoid(file);
+      if (file !== undefined) files.beside.takeGeoid(file);
     },
     () => store.dispatch({ type: 'options', options: { geoid: null } }),
   );
@@ -162,7 +162,7 @@ function textFile(store: BlockStore, files: BlockFiles, option: GivenText, title
     title,
     { accept },
     ([file]) => {
-      if (file !== undefined) void files.takeText(option, file);
+      if (file !== undefined) void files.beside.takeText(option, file);
     },
     () => store.dispatch({ type: 'options', options: { [option]: null } }),
   );

@@ -47,6 +47,12 @@ export function isOtherPage(address: string, other: string): boolean {
   return String(a) !== String(b);
 }
 
+/** The view that an address asks for, whatever block it is of. */
+export function viewNamed(address: string): ViewName | undefined {
+  const named = new URLSearchParams(address.replace(/^#/u, ''));
+  return VIEWS.find((name) => name === named.get('view'));
+}
+
 /** The pair of the block that an address asks for; null where it asks for none, or the block does not have both images. */
 export function askedPair(address: string, view: BlockView): [number, number] | null {
   const named = new URLSearchParams(address.replace(/^#/u, ''));
@@ -56,9 +62,9 @@ export function askedPair(address: string, view: BlockView): [number, number] | 
 
 /** What an address asks for; null where it asks for no view of a block. What the block does not have is not chosen. */
 export function asked(address: string, view: BlockView): { view: ViewName; choice: Choice | null } | null {
-  const named = new URLSearchParams(address.replace(/^#/u, ''));
-  const wanted = VIEWS.find((name) => name === named.get('view'));
+  const wanted = viewNamed(address);
   if (wanted === undefined) return null;
+  const named = new URLSearchParams(address.replace(/^#/u, ''));
   const indexOf = (name: string) => view.images.findIndex((image) => image.name === name);
   const images = named.getAll('image').map(indexOf);
   const several = named

@@ -2,7 +2,7 @@
 import { remember } from '../../shared/state/remember';
 import type { GivenPosition } from '../../../pkg/wasm/tiepoint.js';
 import { filmOf } from './film';
-import type { GivenFilm } from './film';
+import type { FilmTexts, GivenFilm } from './film';
 import { givenPositions } from './given-positions';
 import type { Placed } from './placing';
 import type { BlockFile, BlockState } from './state';
@@ -29,8 +29,12 @@ export interface GivenOfImages {
 
 /** The same of one image, by its name: with the position that a table has of it and, of a scan of film, its camera and marks. */
 export function placingKeyOf(key: string, { film, positions }: GivenOfImages, image: string): string {
-  const own = [filmOf(film, image), positions.get(image) ?? null];
-  return own.every((given) => given === null) ? key : JSON.stringify([key, ...own]);
+  return keyWith(key, filmOf(film, image), positions.get(image) ?? null);
+}
+
+/** With what is given of one image; null: nothing. */
+export function keyWith(key: string, film: FilmTexts | null, position: GivenPosition | null): string {
+  return film === null && position === null ? key : JSON.stringify([key, film, position]);
 }
 
 /** An image with what came of it. */

@@ -114,7 +114,7 @@ export type PlacingAction =
   | { type: 'purpose'; purpose: Purpose }
   | { type: 'placing'; running: Placing['running'] }
   | { type: 'elsewhere'; text: string }
-  | { type: 'placed'; image: number; placed: Placed }
+  | { type: 'placed'; image: BlockFile; placed: Placed }
   | { type: 'choosePlaced'; looked: Looked }
   | { type: 'pointPlaced'; looked: Looked }
   | { type: 'picksPlace'; picks: boolean }
@@ -146,7 +146,7 @@ export function reducePlacing(placing: Placing, action: PlacingAction): Placing 
     case 'elsewhere':
       return placing.elsewhere === action.text ? placing : { ...placing, elsewhere: action.text };
     case 'placed':
-      return { ...placing, placed: new Map([...placing.placed, [action.image, action.placed]]) };
+      return { ...placing, placed: new Map([...placing.placed, [action.image.id, action.placed]]) };
     case 'choosePlaced':
       if (isSameLooked(placing.chosen, action.looked)) return placing;
       // A link is measured in one image.

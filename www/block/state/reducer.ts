@@ -118,6 +118,9 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
     case 'gotoMark':
     case 'marks':
       return reduceEdits(state, action);
+    case 'placed':
+      // One of a project that was left, or that was removed meanwhile.
+      return state.files.includes(action.image) ? { ...state, placing: reducePlacing(state.placing, action) } : state;
     case 'orthophoto':
     case 'heights':
     case 'film':
@@ -125,7 +128,6 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
     case 'purpose':
     case 'placing':
     case 'elsewhere':
-    case 'placed':
     case 'choosePlaced':
     case 'pointPlaced':
     case 'picksPlace':

@@ -2,7 +2,8 @@
 import { Cancelled } from '../../shared/engine/client';
 import type { Engine } from '../engine/engine';
 import type { GivenMask, Outline, Side, State } from '../state/state';
-import { freshId, MASK_SIDE } from './open';
+import { MASK_SIDE } from './beside';
+import { freshId } from './ids';
 
 /** The mask of a side with an area masked or no longer; null where it was cancelled. */
 export async function paintedMask(engine: Engine, state: State, side: Side, corners: Outline['corners'], masked: boolean): Promise<GivenMask | null> {

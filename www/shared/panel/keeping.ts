@@ -1,5 +1,6 @@
 /** A line that says what stands in the way of keeping the project, with what can be done. */
-import type { Keeper, Trouble } from '../files/keeper';
+import type { Keeper } from '../files/keeper';
+import type { Trouble } from '../state/keeping';
 import { button, byId, fill, h } from './dom';
 import { say } from '../text/words';
 

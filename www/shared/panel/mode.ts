@@ -10,10 +10,16 @@ const MODES: readonly (readonly [Mode, string])[] = [
 
 /** `show`: shows a part of the page, which may have to be loaded. */
 export function modeSwitch(modes: Modes, show: (mode: Mode) => void): HTMLElement {
+  const skip = document.querySelector<HTMLAnchorElement>('.skip');
+  skip?.addEventListener('click', (event) => {
+    // A page of its own in the browser's history would be one to which nothing goes back.
+    event.preventDefault();
+    document.getElementById(skip.hash.slice(1))?.focus();
+  });
   const buttons = MODES.map(([mode, text]) => ({ mode, press: button(text, `mode-${mode}`, () => show(mode)) }));
   modes.watch(['mode'], ([mode]) => {
     for (const { mode: own, press } of buttons) press.setAttribute('aria-pressed', String(own === mode));
-    document.querySelector('.skip')?.setAttribute('href', mode === 'pair' ? '#view' : '#block-view');
+    skip?.setAttribute('href', mode === 'pair' ? '#view' : '#block-view');
     document.body.dataset.mode = mode;
   });
   return h('div', { class: 'mode', role: 'group', aria: { label: say('what-is-matched') } }, ...buttons.map(({ press }) => press));

@@ -3,12 +3,14 @@ import { Holder } from './store';
 
 export type Mode = 'pair' | 'block';
 
-export type Modes = Holder<{ mode: Mode }, Mode>;
+/** `isKept`: it came with a project that the browser kept, and nobody chose it. */
+export type Modes = Holder<{ mode: Mode; isKept: boolean }, Mode | { kept: Mode }>;
 
 export function isMode(text: string): text is Mode {
   return text === 'pair' || text === 'block';
 }
 
 export function makeModes(): Modes {
-  return new Holder<{ mode: Mode }, Mode>({ mode: 'pair' }, (_, mode) => ({ mode }));
+  const first: Modes['state'] = { mode: 'pair', isKept: true };
+  return new Holder(first, (_, to: Mode | { kept: Mode }) => (typeof to === 'string' ? { mode: to, isKept: false } : { mode: to.kept, isKept: true }));
 }

@@ -31,7 +31,7 @@ writing-the-orthomosaic = Writing the orthomosaic
 ## engine/session
 
 
-## files/files
+## files/files, with actions, aside, beside, simulated and told
 
 cameras = Cameras
 ground-control-points = Ground control points
@@ -164,7 +164,7 @@ shows-the-observations-of-the = Shows the observations of the chosen points, ima
 table = Table: { $title }
 height-of-the-tables = Height of the tables
 
-## panel/edits
+## panel/edits, with edit-bar, edit-keys and edit-panel
 
 points-2 = points
 observations-5 = observations

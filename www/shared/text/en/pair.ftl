@@ -32,7 +32,7 @@ the-truth-of-the-simulated = the truth of the simulated pair is damaged
 
 the-picture-is-too-large = the picture is too large for this browser to encode; make the window smaller
 
-## files/open
+## files/open, with images, beside, aside and told
 
 it-holds-the-history-of = It holds { $join }; the history of these edits is not in the file, so they cannot be undone.
 was-opened-the-file-does-not = { $name } was opened. The file does not hold its images: open them too to see them.

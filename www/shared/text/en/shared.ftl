@@ -88,7 +88,7 @@ another-tab-has-taken-the = another tab has taken the project over
 a-later-version-of-this = a later version of this page wrote the project
 the-project-is-no-longer = the project is no longer in the storage
 
-## files/keeper
+## files/keeper and files/reading
 
 the-project = The project
 another-tab-has-this-project = another tab has this project open: close it there first
@@ -256,7 +256,7 @@ saves-what-differs-from-the = Saves what differs from the defaults, as JSON
 settings-as-a-file = Settings as a file
 settings-2 = Settings · { $changed }
 
-## panel/table
+## panel/table and panel/table-bar
 
 mean = mean
 contains = contains

@@ -1,0 +1,204 @@
+/** Over the views: what can be done to what is chosen, and what the latest edit did. */
+import { choice } from '../../shared/panel/choice';
+import { button, byId, h } from '../../shared/panel/dom';
+import { passFocus } from '../../shared/panel/focus';
+import { set, showSteps } from '../../shared/panel/history';
+import { fixed } from '../../shared/text/format';
+import type { BlockStore } from '../engine/engine';
+import type { Facts } from '../engine/facts';
+import { isGiven, stepOfDraft } from '../state/draft';
+import { comparedText, figuresOf } from '../state/edited';
+import { editsInForce, isEditable } from '../state/editing';
+import { addedPoints } from '../state/added';
+import type { MarkStep } from '../state/marks';
+import { nameOfEdit, nameOfMarks, NO_NAMES } from '../state/naming';
+import type { BlockEdit, PointDetail } from '../../../pkg/wasm/tiepoint.js';
+import type { Names } from '../state/naming';
+import { apart, joined, split } from '../state/joining';
+import { shownImages } from '../state/panes';
+import { pointsOf } from '../state/selection';
+import { removable } from '../state/removing';
+import { timelineOf } from '../state/timeline';
+import type { BlockState } from '../state/state';
+import { say } from '../../shared/text/words';
+import { editOf, makeEdit, nameOfTimed, namesIn, stepBy } from './edits';
+
+/** What measures points, once the images view is there. */
+export interface Measures {
+  toggle: (anew: boolean) => void;
+  match: () => void;
+  accept: () => void;
+  leave: () => void;
+}
+
+function makeStep(store: BlockStore, edits: readonly BlockEdit[] | null): void {
+  if (edits !== null) store.dispatch({ type: 'edit', edits });
+}
+
+/** So many points may be one. */
+const MOST_JOINED = 8;
+
+/** The points that are chosen to be one; null where they cannot be, and while their figures are on their way. */
+function toJoin({ selection, shown }: BlockState, facts: Facts): readonly PointDetail[] | null {
+  const points = pointsOf(selection.chosen);
+  if (shown === null || points.length < 2 || points.length > MOST_JOINED || points.some((point) => point >= shown.view.points.taking)) return null;
+  const details = [...points].flatMap((point) => facts.point(point) ?? []);
+  return details.length < points.length || joined(details) === null ? null : details;
+}
+
+/** Joins the chosen points, or says where they lie apart. */
+function join(store: BlockStore, facts: Facts): void {
+  const points = toJoin(store.state, facts);
+  if (points === null) return;
+  const far = apart(points);
+  if (far === null) {
+    makeStep(store, joined(points));
+    return;
+  }
+  const image = store.state.shown?.view.images[far.image]?.name ?? '';
+  store.dispatch({ type: 'notice', notice: { kind: 'problem', text: say('not-joined', { image, px: fixed(far.px, 0) }), beside: true } });
+}
+
+/** The step that splits the chosen point by the images that are shown. */
+function splitOf({ selection, shown, panes }: BlockState, facts: Facts): readonly BlockEdit[] | null {
+  const [point, ...more] = pointsOf(selection.chosen);
+  if (shown === null || point === undefined || more.length > 0 || point >= shown.view.points.taking) return null;
+  const detail = facts.point(point);
+  return detail === null ? null : split(detail, shownImages(panes, shown.view));
+}
+
+/** Takes the chosen images out of the block; null where they cannot be. */
+function removalOf({ files, selection, shown, history }: BlockState): Extract<MarkStep, { kind: 'remove_images' }> | null {
+  const out = removable(files, selection.chosen, shown?.view.images ?? []);
+  return out.length === 0 ? null : { kind: 'remove_images', files: out.map(({ id }) => id), after: history.done };
+}
+
+/** The keyboard stays with what is chosen. */
+function removeImages(store: BlockStore): void {
+  const step = removalOf(store.state);
+  if (step !== null) store.dispatch({ type: 'mark', step });
+}
+
+/** The points that edits in force add. */
+function addedIn({ shown, history }: BlockState) {
+  return addedPoints(editsInForce(history), shown?.view.givenControl ?? 0);
+}
+
+/** "Reject 14 points", with the noun of what is chosen. */
+function titleOf(edit: BlockEdit | null, otherwise: string, names: Names): string {
+  return capital(edit === null ? otherwise : nameOfEdit(edit, names)).replace(/ 1 /u, ' ');
+}
+
+function capital(name: string): string {
+  return name.charAt(0).toUpperCase() + name.slice(1);
+}
+
+/** Over the views: what can be done to what is chosen, and what the latest edit did. */
+export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Measures | null): HTMLElement {
+  const undo = button(say('undo-sign'), 'block-undo', () => stepBy(store, -1));
+  const redo = button(say('redo-sign'), 'block-redo', () => stepBy(store, 1));
+  const reject = button(say('reject'), 'block-reject', () => makeEdit(store, editOf(store.state, 'reject')), say('take-what-is-chosen-out'));
+  const whole = button(say('reject-point'), 'block-reject-point', () => makeEdit(store, editOf(store.state, 'reject', true)), say('take-the-point-with-all'));
+  const restore = button(say('restore'), 'block-restore', () => makeEdit(store, editOf(store.state, 'restore')), say('use-what-is-chosen-again'));
+  const remove = button(say('remove-image'), 'block-remove-image', () => removeImages(store), say('take-the-chosen-image-out'));
+  const measure = button(
+    say('measure-it'),
+    'block-measure',
+    () => {
+      if (store.state.onStage !== 'images') store.dispatch({ type: 'stage', view: 'images' });
+      measures()?.toggle(false);
+    },
+    say('measure-the-chosen-point-in'),
+  );
+  const add = button(say('add-point'), 'block-add-point', () => measures()?.toggle(true), say('measure-a-new-tie-point'));
+  const joining = button(say('join'), 'block-join', () => join(store, facts), say('the-chosen-points-are-one'));
+  const parting = button(say('split'), 'block-split', () => makeStep(store, splitOf(store.state, facts)), say('the-point-is-two-one'));
+  const match = button(say('match-it'), 'block-match', () => measures()?.match(), say('match-the-point-in-the'));
+  const accept = button(say('accept'), 'block-accept', () => measures()?.accept(), say('the-point-is-measured-enter'));
+  const leave = button(say('cancel'), 'block-leave', () => measures()?.leave(), say('give-what-is-measured-up'));
+  const [use, useSelect] = choice(say('use-as'), 'block-use', USES, (value) => {
+    const surveyed = surveyedChoice(store.state, facts);
+    const role = value === 'control' || value === 'check' ? value : null;
+    if (surveyed !== null) makeEdit(store, { kind: 'set_use', point: surveyed.point, use: role });
+  });
+  const text = h('span', { class: 'edit-text', testid: 'block-edit-text', role: 'status', aria: { live: 'polite' } });
+  const bar = h(
+    'div',
+    { class: 'toolbar edit-bar', testid: 'block-edit-bar', role: 'toolbar', aria: { label: say('edits-by-hand') } },
+    ...[undo, redo, reject, whole, restore, remove, joining, parting, measure, add, match, accept, leave, use, text],
+  );
+  const counterparts = new Map<Element | null, readonly HTMLElement[]>([
+    [reject, [restore]],
+    [whole, [restore]],
+    [restore, [reject]],
+    [undo, [redo]],
+    [redo, [undo]],
+  ]);
+  const show = () => {
+    const { state } = store;
+    const held = bar.contains(document.activeElement) ? document.activeElement : null;
+    const { chosen } = state.selection;
+    bar.hidden = !isEditable(state);
+    const names = namesIn(state);
+    showSteps(undo, redo, timelineOf(state), (one) => nameOfTimed(state, one, names));
+    const [off, point, on] = [editOf(state, 'reject'), editOf(state, 'reject', true), editOf(state, 'restore')];
+    const drafting = state.draft !== null;
+    set(reject, titleOf(off, say('reject'), NO_NAMES), off === null);
+    set(restore, titleOf(on, say('restore'), NO_NAMES), on === null);
+    reject.hidden = drafting || (off === null && on !== null);
+    restore.hidden = drafting || on === null;
+    whole.hidden = drafting || chosen?.kind !== 'observation' || point === null;
+    const removal = removalOf(state);
+    remove.hidden = drafting || removal === null;
+    set(remove, removal === null || removal.files.length === 1 ? say('remove-image') : capital(nameOfMarks(removal)), false);
+    const inImages = state.onStage === 'images';
+    // A point that no image shows yet is measured in the images, whatever view it was chosen in.
+    const given = chosen?.kind === 'given';
+    measure.hidden = drafting || !(inImages || given);
+    const { taking = 0 } = state.shown?.view.points ?? {};
+    measure.disabled = chosen?.kind !== 'given' && ((chosen?.kind !== 'point' && chosen?.kind !== 'observation') || chosen.point >= taking);
+    add.hidden = drafting || !inImages;
+    joining.hidden = drafting || toJoin(state, facts) === null;
+    parting.hidden = drafting || !inImages || splitOf(state, facts) === null;
+    match.hidden = !inImages || ((measure.disabled || given) && !drafting);
+    accept.hidden = !drafting;
+    accept.disabled =
+      state.draft === null || stepOfDraft(state.draft, state.shown?.view.images.map(({ name }) => name) ?? [], state.history.done, addedIn(state)) === null;
+    leave.hidden = !drafting;
+    const said = textOf(state);
+    if (text.textContent !== said) text.textContent = said;
+    const surveyed = surveyedChoice(state, facts);
+    use.hidden = surveyed === null || drafting;
+    if (surveyed !== null) useSelect.value = surveyed.role ?? '';
+    // What is pressed to take the last press back comes first.
+    passFocus(held, [...(counterparts.get(held) ?? []), measure, add, undo, redo, byId('block-view')]);
+  };
+  store.watch(['history', 'marks', 'files', 'selection', 'shown', 'running', 'adjusting', 'before', 'draft', 'onStage', 'panes'], show);
+  facts.watch(show);
+  return bar;
+}
+
+const USES = [
+  ['control', say('control-point')],
+  ['check', say('check-point')],
+  ['', say('not-used')],
+] as const;
+
+/** The surveyed point that is chosen alone, with its role; null for another one, and while its figures are on their way. */
+function surveyedChoice({ selection }: BlockState, facts: Facts): { point: number; role: PointDetail['role'] } | null {
+  const [point, ...more] = pointsOf(selection.chosen);
+  const detail = point === undefined || more.length > 0 ? null : facts.point(point);
+  return detail?.id != null && 'ground_control' in detail.id ? { point: detail.id.ground_control, role: detail.role } : null;
+}
+
+function textOf({ draft, adjusting, before, shown }: BlockState): string {
+  if (draft !== null) {
+    const placed = draft.places.size;
+    const what = draft.of === null ? say('new-point') : isGiven(draft.of) ? draft.of.given : say('point');
+    const more = draft.of === null && placed < 2 ? say('two-images-or-more-are') : '';
+    return say('placed-in-press-its-place', { what, placed, more });
+  }
+  if (adjusting) return say('adjusting-the-block');
+  if (before === null || shown === null || shown.edits.length === 0) return '';
+  return comparedText(before, figuresOf(shown.view));
+}

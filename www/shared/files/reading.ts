@@ -1,0 +1,64 @@
+/** Claims a kept project and reads it. */
+import type { Trouble } from '../state/keeping';
+import { messageOf } from '../text/messages';
+import { titleOf } from '../text/project';
+import { say } from '../text/words';
+import type { Claim, Claims } from './claim';
+import { type Database, FORM } from './database';
+import type { ProjectRow } from './database';
+import type { Keepable } from './keepable';
+
+/** A tab that loses its project has so long to write its last changes, in ms. */
+const HANDOVER_MS = 400;
+
+/** As its one writer, where no other tab is that; in the place of that tab; or only to look at what is kept. */
+export type Opening = 'claim' | 'steal' | 'look';
+
+export interface ReadProject {
+  row: ProjectRow;
+  title: string;
+  parts: ReadonlyMap<string, unknown>;
+  /** Null where it is only looked at. */
+  claim: Claim | null;
+  /** What shows it, each part of the page by itself. */
+  shows: readonly (() => void)[];
+}
+
+/** The project that the tab has meanwhile. */
+interface Tab {
+  held: () => Claim | null;
+  /** Another tab takes the project that is read. */
+  lost: () => void;
+}
+
+export class ProjectReader {
+  constructor(
+    private readonly keepables: readonly Keepable[],
+    private readonly claims: Claims,
+    /** The name of this tab. */
+    private readonly tab: string,
+  ) {}
+
+  /** What stands in the way where it cannot be opened; null where there is no such project. */
+  async read(database: Database, id: string, how: Opening, { held, lost }: Tab): Promise<ReadProject | Trouble | null> {
+    const row = await database.project(id);
+    if (row === undefined) return null;
+    const title = titleOf(row);
+    const refused = (kind: Trouble['kind'], reason: string): Trouble => ({ kind, reason, project: { id, title } });
+    if (row.form > FORM) return refused('unreadable', say('a-later-version-of-this-page'));
+    const looks = how === 'look';
+    const claim = looks ? null : await this.claims.take(id, how === 'steal', lost);
+    if (claim === null && !looks) return refused('elsewhere', '');
+    try {
+      if (how === 'steal') await new Promise((resolve) => setTimeout(resolve, HANDOVER_MS));
+      // From now on what another tab would still write is refused.
+      if (!looks) await database.edit(id, { writer: this.tab });
+      const parts = await database.parts(id);
+      const shows = await Promise.all(this.keepables.map((keepable) => keepable.read(parts)));
+      return { row, title, parts, claim, shows };
+    } catch (error) {
+      if (claim !== null && held() !== claim) claim.release();
+      return refused('unreadable', messageOf(error));
+    }
+  }
+}
