@@ -1,8 +1,9 @@
 //! Reading surveyed points: control and check points of a block.
 
+use super::column_names::meanings;
 use super::column_units::{Unit, named};
 use super::columns::UnreadColumns;
-use super::control_columns::{Columns, Layout, meanings};
+use super::control_columns::{Columns, Layout};
 use super::error_columns::ErrorColumns;
 use super::hemispheres::Axis;
 use super::system_line::SystemLine;

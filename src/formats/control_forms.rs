@@ -6,12 +6,14 @@ use super::marks::{ImageMeasurementRow, image_measurement_table, parse_image_mea
 use super::positions::parse_image_positions;
 use crate::ControlRole;
 
-fn first(text: &str) -> (String, [f64; 3], Option<[f64; 2]>) {
+/// Name, position and standard errors of the first point.
+pub(super) fn first(text: &str) -> (String, [f64; 3], Option<[f64; 2]>) {
     let point = parse_ground_control_points(text).unwrap_or_else(|error| panic!("{text}: {error}")).remove(0);
     (point.name, point.position, point.standard_errors)
 }
 
-fn message(text: &str) -> String {
+/// Why a table of points is refused.
+pub(super) fn message(text: &str) -> String {
     parse_ground_control_points(text).unwrap_err().to_string()
 }
 

@@ -10,6 +10,7 @@ mod cameras;
 mod colmap_features;
 mod colmap_read;
 mod colmap_write;
+mod column_names;
 mod column_units;
 mod columns;
 mod control;
@@ -30,6 +31,8 @@ mod nvm;
 mod opensfm;
 mod patb;
 mod position_columns;
+#[cfg(test)]
+mod position_forms;
 mod positions;
 mod quaternion;
 mod sight;

@@ -1,11 +1,10 @@
 //! What the columns of a table of image positions hold, by their names or by their order.
 
+use super::column_names::{Column, Coordinates, coordinates_of, is_ellipsoidal, looks_like_height, meaning_of, meanings, names_of};
 use super::column_units::unit_m;
 use super::columns::{IMAGES, UnreadColumns, letters, others, without_unit};
 use super::control::StatedUnit;
-use super::control_columns::{
-    Column, Coordinates, check_unit, coordinates_of, is_ellipsoidal, looks_like_height, meaning_of, meanings, names_of,
-};
+use super::control_columns::check_unit;
 use super::error_columns::ErrorColumns;
 use super::hemispheres::Axis;
 use super::whole_numbers::NumberColumns;

@@ -1,21 +1,10 @@
 //! Tests: tables whose names of columns, codes and empty cells are those of further programs.
 
 use super::control::{parse_ground_control_points, points_without_coordinates, unread_columns};
+use super::control_forms::{first, message};
 use super::marks::parse_image_measurements;
-use super::positions::{ImagePositions, parse_image_positions, position_head};
-
-fn first(text: &str) -> (String, [f64; 3], Option<[f64; 2]>) {
-    let point = parse_ground_control_points(text).unwrap_or_else(|error| panic!("{text}: {error}")).remove(0);
-    (point.name, point.position, point.standard_errors)
-}
-
-fn message(text: &str) -> String {
-    parse_ground_control_points(text).unwrap_err().to_string()
-}
-
-fn positions(text: &str) -> ImagePositions {
-    parse_image_positions(text).unwrap_or_else(|error| panic!("{text}: {error}"))
-}
+use super::position_forms::read as positions;
+use super::positions::{parse_image_positions, position_head};
 
 #[test]
 fn commas_of_codes_and_notes_say_nothing_of_those_of_coordinates() {
