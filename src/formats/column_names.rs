@@ -1,6 +1,6 @@
 //! What the name of a column says that it holds: coordinates, standard errors and uses, in the words of many programs and languages.
 
-use super::column_units::{Unit, in_brackets, named, without_reference};
+use super::column_units::{Unit, in_brackets, is_above_sea, named, without_reference};
 use super::columns::letters;
 use csv::StringRecord;
 
@@ -35,13 +35,13 @@ const NAMES: [(Column, &str); 9] = [
     (
         Column::X,
         "x e east easting longitude lon rechtswert ost xeasting long xlongitude rechts ostwert eastings \
-         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine coordenadax xcoordinate coordinatex xcoord coordx locale localeast localeasting utmost utmeast utmeasting utmrechtswert \
+         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine coordenadax xcoordinate coordinatex xcoord coordx locale localeast localeasting utmost utmeast utmeasting utmrechtswert grideasting öst längengrad geogrlänge \
          الشرق شرق الشرقيات شرقيات خطالطول خططول",
     ),
     (
         Column::Y,
         "y n north northing latitude lat hochwert nord ynorthing ylatitude hoch nordwert northings \
-         breite gpslatitude ylat norte latitud latitudine coordenaday ycoordinate coordinatey ycoord coordy localn localnorth localnorthing utmnord utmnorth utmnorthing utmhochwert \
+         breite gpslatitude ylat norte latitud latitudine coordenaday ycoordinate coordinatey ycoord coordy localn localnorth localnorthing utmnord utmnorth utmnorthing utmhochwert gridnorthing norr breitengrad geogrbreite \
          الشمال شمال الشماليات شماليات خطالعرض خطعرض دائرةالعرض",
     ),
     (
@@ -49,7 +49,7 @@ const NAMES: [(Column, &str); 9] = [
         // With the sign for a letter that was not in UTF-8, too.
         "z h height elevation altitude elev höhe alt zaltitude zelevation zheight hoehe h\u{fffd}he orthometricheight orthoheight ellipsoidalheight \
          ellipsoidheight ellheight hell elliphgt elliphht ellhgt ellipheight ellipsoidalhgt ellipsoidischehöhe ellipsoidischehoehe heightellipsoidal gpsaltitude absolutealtitude hauteurellipsoïdale hauteurellipsoidale altitudeellipsoïdale \
-         altitudeellipsoidale alturaelipsoidal quotaellissoidica localh localheight nhnhöhe nhnhoehe nnhöhe hgt zalt up \
+         altitudeellipsoidale alturaelipsoidal quotaellissoidica localh localheight nhnhöhe nhnhoehe nnhöhe ellhöhe hgt zalt up pointelevation höjd \
          cota quota cote hauteur altura altitud altitudine coordenadaz zcoordinate coordinatez zcoord coordz elevación elevacion elevação الارتفاع ارتفاع المنسوب منسوب",
     ),
     (Column::ErrorAcross, "across acch"),
@@ -81,16 +81,11 @@ const ERRORS: [&str; 18] = [
     "écarttype",
 ];
 
-/// The axes of standard errors. `h` is none: it is height in one program, horizontal in the next.
-const AXES: [(Column, &[&str]); 6] = [
+/// The axes of standard errors beside the names of coordinates.
+const AXES: [(Column, &[&str]); 4] = [
     (Column::ErrorAll, &["xyz"]),
-    (Column::ErrorAcross, &["xy", "horizontal", "horz", "hor", "lage", "plan", "lateral", "across", "en"]),
-    (Column::ErrorX, &["x", "e", "east", "easting", "longitude", "lon", "ost", "rechts", "rechtswert"]),
-    (Column::ErrorY, &["y", "n", "north", "northing", "latitude", "lat", "nord", "hoch", "hochwert"]),
-    (
-        Column::ErrorUp,
-        &["z", "vertical", "vert", "u", "höhe", "hoehe", "höhen", "hoehen", "up", "height", "altitude", "alt", "elevation", "elev"],
-    ),
+    (Column::ErrorAcross, &["xy", "horizontal", "horizontale", "horz", "hor", "lage", "plan", "planimétrique", "lateral", "across", "en"]),
+    (Column::ErrorUp, &["vertical", "verticale", "vert", "u", "höhen", "hoehen", "altimétrique"]),
     (Column::ErrorPx, &["px", "image"]),
 ];
 
@@ -121,12 +116,12 @@ pub(super) fn coordinates_of(name: &str) -> Coordinates {
     }
 }
 
-/// Whether a height is named as one above the ellipsoid, or, `Some(false)`, as one above the geoid; `None` where its name leaves that open.
+/// Whether a height is named as one above the ellipsoid, or, `Some(false)`, as one above the geoid or the sea; `None` where its name leaves that open.
 pub(super) fn is_ellipsoidal(name: &str) -> Option<bool> {
     let plain = plain(name);
     match () {
         () if plain.contains("ell") || plain.contains("elipsoid") => Some(true),
-        () if plain.contains("ortho") => Some(false),
+        () if plain.contains("ortho") || is_above_sea(name) => Some(false),
         () => None,
     }
 }
@@ -148,6 +143,8 @@ pub(super) fn is_lone_letter(plain: &str) -> bool {
 /// What a name of an axis in a letter and in a word says, as `x (nord)`, `y/rechtswert` or `hochwert (x)`: the word counts, since letters are exchanged in
 /// some countries. `Some(None)`: words that contradict each other.
 fn axis_in_words(joined: &str) -> Option<Option<(Column, usize)>> {
+    // Metashape calls its estimates so.
+    let joined = Some(joined).filter(|joined| !joined.ends_with("_est"))?;
     let (one, other) = joined.trim_end_matches([')', ']']).split_once(['(', '[', '/', '_', ' '])?;
     let [one, other] = [one, other].map(|part| letters(part.trim_matches(['(', '[', ')', ']', ' '])));
     let is_letter = |name: &str| matches!(name, "x" | "y" | "z");
@@ -188,13 +185,27 @@ fn error_of(joined: &str, plain: &str) -> Option<(Column, usize)> {
     let bare = ERRORS.iter().position(|word| *word == joined).map(|rank| (Column::ErrorAll, rank));
     let short = [("sx", Column::ErrorX), ("sy", Column::ErrorY), ("sz", Column::ErrorUp)].into_iter();
     let short = short.filter(|(name, _)| *name == plain).map(|(_, column)| (column, ERRORS.len())).next();
+    // DJI has those of its receivers so.
+    let plain = plain.strip_prefix("rtk").unwrap_or(plain);
     short.or(bare).or_else(|| {
         ERRORS.iter().enumerate().find_map(|(rank, word)| {
             let axis = plain.strip_prefix(word).or_else(|| plain.strip_suffix(word))?;
-            let axes = AXES.iter().find(|(_, axes)| axes.contains(&axis)).map(|(column, _)| *column);
-            let column = if axis.is_empty() { Some(Column::ErrorAll) } else { axes };
+            let column = if axis.is_empty() { Some(Column::ErrorAll) } else { error_along(axis) };
             column.map(|column| (column, rank))
         })
+    })
+}
+
+/// What a standard error is of, by what stands beside the word for it, in brackets or not. `h` is nothing: it is height in one program, horizontal in the next.
+fn error_along(axis: &str) -> Option<Column> {
+    let axis = axis.trim_matches(['(', ')', '[', ']']);
+    AXES.iter().find(|(_, axes)| axes.contains(&axis)).map(|(column, _)| *column).or_else(|| {
+        match listed(axis).filter(|_| axis != "h")?.0 {
+            Column::X => Some(Column::ErrorX),
+            Column::Y => Some(Column::ErrorY),
+            Column::Z => Some(Column::ErrorUp),
+            _ => None,
+        }
     })
 }
 
@@ -208,19 +219,19 @@ pub(super) fn has_unknown_error_unit(name: &str) -> bool {
         })
     };
     match in_brackets(&joined) {
-        Some((bare, inner)) => unit.is_none() && is_length_error(bare) && AXES.iter().all(|(_, axes)| !axes.contains(&inner)),
+        Some((bare, inner)) => unit.is_none() && is_length_error(bare) && error_along(inner).is_none(),
         None => unit == Some(Unit::Degrees) && is_length_error(&joined),
     }
 }
 
-/// Whether a name is rather one of heights, though it is not read as such.
+/// Whether a name is rather one of heights, though it is not read as such: one of its words is, or holds such a word.
 pub(super) fn looks_like_height(name: &str) -> bool {
     let (joined, _) = named(name);
-    let bare = in_brackets(&joined).map_or(&joined[..], |(bare, _)| bare);
-    let is_height = |bare: &str| listed(&letters(bare)).is_some_and(|(column, _)| column == Column::Z);
-    let is_of_words = ["height", "hgt", "altitude", "elevation", "höhe", "hoehe", "hauteur", "altura"];
+    let of_heights = ["height", "hgt", "altitude", "elevation", "höhe", "hoehe", "hauteur", "altura"];
+    let mut words = joined.split(|sign: char| !sign.is_alphanumeric()).filter(|word| !word.is_empty());
     let is_error = ERRORS.iter().any(|word| letters(&joined).contains(word));
-    !is_error && (is_height(bare) || is_of_words.iter().any(|word| bare.contains(word)))
+    let is_height = |word: &str| listed(word).is_some_and(|(column, _)| column == Column::Z);
+    !is_error && words.any(|word| is_height(word) || of_heights.iter().any(|of| word.contains(of)))
 }
 
 /// The names of a column, between blanks.

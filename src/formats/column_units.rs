@@ -48,12 +48,13 @@ const UNITS: [(&str, Unit); 31] = [
 const OTHERS: &str = "in inch inches \" ″ rod rods dm yd yard yards chain chains link links mi mile miles nm fathom fathoms µm μm mas gon gons grad grads \
                       rad radian radians min minutes sec seconds dms arcsec px pix pixel pixels";
 
-/// Words for surfaces and systems that coordinates refer to, with or without a number behind them, between blanks.
-const REFERENCES: &str = "utm gk lv ln lhn navd ngvd cgvd egm dhhn wgs etrs etrf itrf igs nad rgf ngf ign lambert osgb odn gda mga ahd mgi evrf nn nhn nap \
-                          rd sweref rh msl amsl asl ed tm mtm epsg ellipsoid ellipsoidal ellipsoidisch ellipsoidische ellip orthometric ortho geoid \
-                          local lokal";
+/// Words for surfaces near the sea that heights count from, with or without a number behind them, between blanks.
+const SEA_LEVELS: &str = "navd ngvd cgvd egm dhhn ngf ign nn nhn nap ln lhn rh odn ahd evrf msl amsl asl";
+/// Words for other surfaces and systems that coordinates refer to.
+const REFERENCES: &str = "utm gk lv wgs etrs etrf itrf igs nad rgf lambert l93 osgb gda mga mgi rd sweref ed tm mtm epsg ellipsoid ellipsoidal \
+                          ellipsoidisch ellipsoidische ellip orthometric ortho geoid local lokal";
 /// Words beside these. West and south are none: numbers that grow that way have another sign.
-const FILLERS: &str = "ü über ueber above over the sea level zone height n e";
+const FILLERS: &str = "ü über ueber above over the sea level zone height n e m28 m31 m34";
 
 /// A name in small letters, and the unit behind it, where there is one; `m` of `Höhe (m ü. NHN)`, too.
 pub(super) fn named(name: &str) -> (String, Option<Unit>) {
@@ -83,17 +84,34 @@ fn leading(inner: &str) -> Option<Unit> {
     UNITS.iter().find_map(of)
 }
 
+/// The words of a name or of what stands in brackets, in small letters.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|sign: char| !sign.is_alphanumeric()).filter(|word| !word.is_empty())
+}
+
+fn is_in(list: &str, word: &str) -> bool {
+    list.split(' ').any(|known| known == word)
+}
+
+fn without_number(word: &str) -> &str {
+    word.trim_end_matches(|sign: char| sign.is_ascii_digit())
+}
+
+/// Whether the name of heights says that they count from a surface near the sea.
+pub(super) fn is_above_sea(name: &str) -> bool {
+    let small = name.to_lowercase();
+    small.contains("sea level") || words(&small).any(|word| is_in(SEA_LEVELS, without_number(word)))
+}
+
 /// Whether some words say what coordinates refer to and nothing else. `may_fill`: whether words beside these will do.
 fn is_reference(text: &str, may_fill: bool) -> bool {
-    let is_in = |list: &str, word: &str| list.split(' ').any(|known| known == word);
-    let mut words = text.split(|sign: char| !sign.is_alphanumeric()).filter(|word| !word.is_empty()).peekable();
+    let mut words = words(text).peekable();
     let mut refers = may_fill;
     let is_known = words.peek().is_some()
         && words.all(|word| {
-            let bare = word.trim_end_matches(|sign: char| sign.is_ascii_digit());
             // A number or a zone behind what it is of.
             let is_number = word.starts_with(|sign: char| sign.is_ascii_digit());
-            let is_named = is_in(REFERENCES, bare);
+            let is_named = [SEA_LEVELS, REFERENCES].iter().any(|list| is_in(list, word) || is_in(list, without_number(word)));
             let fits = is_named || is_in(FILLERS, word) || (is_number && refers);
             refers |= is_named;
             fits
@@ -107,8 +125,8 @@ pub(super) fn without_reference(joined: &str) -> Option<&str> {
         Some((bare, inner)) => Some(bare).filter(|_| is_reference(inner, false)),
         None => {
             let (bare, behind) = joined.trim_end().rsplit_once([' ', '_'])?;
-            let has_number = behind.ends_with(|sign: char| sign.is_ascii_digit());
-            Some(bare.trim_end()).filter(|_| has_number && is_reference(behind, false))
+            let is_certain = behind.ends_with(|sign: char| sign.is_ascii_digit()) || is_in(SEA_LEVELS, behind);
+            Some(bare.trim_end()).filter(|_| is_certain && is_reference(behind, false))
         }
     }
 }
@@ -169,6 +187,10 @@ mod tests {
             ("e (etrs89 / utm zone 32n)", Some("e")),
             ("höhe (ü. nhn)", Some("höhe")),
             ("h ln02", Some("h")),
+            ("altitude ngf", Some("altitude")),
+            ("alt_msl", Some("alt")),
+            ("x (l93)", Some("x")),
+            ("y (gk m34)", Some("y")),
             ("n (satellites)", None),
             ("h (antenna)", None),
             ("x (1)", None),

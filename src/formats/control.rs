@@ -156,9 +156,14 @@ fn read_point(
         return refuse(Refusal::ControlName { name: shorten(&name), line });
     }
     let [x, y, z] = columns.position;
-    let coordinate = |axis: Axis, column: usize, what: &str| match axis.read(field(column), |text| records.number(text)) {
-        Some(value) if columns.is_geographic => Ok(value),
-        _ => number(column, what),
+    let coordinate = |axis: Axis, column: usize, what: &str| {
+        let value = match axis.read(field(column), |text| records.number(text)) {
+            Some(value) if columns.is_geographic => value,
+            _ => number(column, what)?,
+        };
+        let Some(side) = columns.sides[axis as usize].map(field) else { return Ok(value) };
+        let refusal = || Refusal::ControlNumber { word: shorten(&format!("{} {side}", field(column))), column: what.into(), line };
+        axis.on_side(value, side).ok_or_else(|| refusal().into_error())
     };
     let position = [coordinate(Axis::Longitude, x, "x")?, coordinate(Axis::Latitude, y, "y")?, number(z, "z")?];
     let given = columns.standard_errors.filter(|([x, y], z)| [x, y, z].iter().any(|column| !is_none(field(**column))));

@@ -7,6 +7,8 @@ use super::column_units::{unit_m, units, without_other_unit};
 use super::columns::{LENGTHS, others};
 use super::control_order::errors_in_order;
 use super::control_use::Uses;
+use super::hemispheres::Axis;
+use super::side_columns::side_column;
 use super::system_line::SystemLine;
 use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
@@ -35,6 +37,8 @@ pub(super) struct Columns {
     pub sigma_px: Option<usize>,
     /// Whether x and y are named as longitude and latitude.
     pub is_geographic: bool,
+    /// Of the hemispheres of these.
+    pub sides: [Option<usize>; 2],
 }
 
 impl Default for Columns {
@@ -48,6 +52,7 @@ impl Default for Columns {
             uses: Uses::default(),
             sigma_px: None,
             is_geographic: false,
+            sides: [None; 2],
         }
     }
 }
@@ -141,6 +146,8 @@ impl Columns {
         }
         let unit_m = |column: usize| names.get(column).map_or(1.0, unit_m);
         let [name, x, y, z] = needed.map(|column| column.unwrap_or(0));
+        let is_of_degrees = |column: usize| names.get(column).is_some_and(|name| coordinates_of(name) == Coordinates::Geographic);
+        let is_geographic = [x, y].into_iter().all(is_of_degrees);
         Ok(Self {
             name,
             position: [x, y, z],
@@ -148,9 +155,8 @@ impl Columns {
             error_units_m: standard_errors.map_or([1.0; 3], |([x, y], z)| [x, y, z].map(unit_m)),
             uses: Uses::of(rows, place(Column::Use), place(Column::Kind), place(Column::Enabled)),
             sigma_px: place(Column::ErrorPx),
-            is_geographic: [x, y]
-                .into_iter()
-                .all(|column| names.get(column).is_some_and(|name| coordinates_of(name) == Coordinates::Geographic)),
+            is_geographic,
+            sides: [Axis::Longitude, Axis::Latitude].map(|axis| side_column(names, axis).filter(|_| is_geographic)),
         })
     }
 
@@ -170,7 +176,7 @@ impl Columns {
     /// The columns that are read.
     pub fn read(&self) -> BTreeSet<usize> {
         let errors = self.standard_errors.into_iter().flat_map(|([x, y], z)| [x, y, z]);
-        let uses = [self.uses.role, self.uses.enabled, self.sigma_px].into_iter().flatten();
+        let uses = [self.uses.role, self.uses.enabled, self.sigma_px].into_iter().chain(self.sides).flatten();
         self.position.into_iter().chain([self.name]).chain(errors).chain(uses).collect()
     }
 

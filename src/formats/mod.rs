@@ -35,6 +35,7 @@ mod position_columns;
 mod position_forms;
 mod positions;
 mod quaternion;
+mod side_columns;
 mod sight;
 mod system_line;
 #[cfg(test)]

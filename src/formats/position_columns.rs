@@ -7,6 +7,7 @@ use super::control::StatedUnit;
 use super::control_columns::check_unit;
 use super::error_columns::ErrorColumns;
 use super::hemispheres::Axis;
+use super::side_columns::{is_side_of, side_column};
 use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
 use crate::text::{NumberedRecord, Records, filled, is_none, shorten};
@@ -73,7 +74,7 @@ impl PositionColumns {
     }
 
     /// The columns that a line names. Longitudes and latitudes are read where there are others beside them, with the height above the ellipsoid.
-    pub fn named_by(records: &Records, head: &StringRecord) -> Result<Self, Error> {
+    pub fn named_by(records: &Records, head: &StringRecord, rows: &[NumberedRecord]) -> Result<Self, Error> {
         let meanings = meanings(head);
         let name = |column: usize| head.get(column).unwrap_or("");
         let rank = |column: usize| meaning_of(name(column)).map_or(usize::MAX, |(_, rank)| rank);
@@ -108,6 +109,12 @@ impl PositionColumns {
                 }
                 (*x, *y, Coordinates::Plane)
             }
+        };
+        // Names that leave it open are of degrees where all places can be.
+        let coordinates = match coordinates {
+            Coordinates::Either if rows.iter().all(|(_, record)| may_be_degrees(records, record, [x, y])) => Coordinates::Geographic,
+            Coordinates::Either => Coordinates::Plane,
+            certain => certain,
         };
         let heights = all(Column::Z);
         let height = match coordinates {
@@ -190,38 +197,13 @@ fn image_column(head: &StringRecord) -> Option<usize> {
     IMAGES.split(' ').chain(FURTHER.split(' ')).find_map(|name| plain.iter().position(|column| column == name))
 }
 
-/// The column of the side of a coordinate, where a line names one: `GPSLatitudeRef`, `Latitude hemisphere` or `N/S`.
-fn side_column(head: &StringRecord, axis: Axis) -> Option<usize> {
-    let letters_of_sides = match axis {
-        Axis::Longitude => "e/w",
-        Axis::Latitude => "n/s",
-        Axis::Height => "",
-    };
-    let wanted = match axis {
-        Axis::Longitude => Column::X,
-        Axis::Latitude => Column::Y,
-        Axis::Height => Column::Z,
-    };
-    head.iter().position(|name| {
-        let is_of_axis =
-            |of: &str| coordinates_of(of) == Coordinates::Geographic && meaning_of(of).is_some_and(|(column, _)| column == wanted);
-        match side_of(name) {
-            // Other references of heights are surfaces.
-            Some(of) if axis == Axis::Height => of.ends_with("altitude"),
-            Some(of) => is_of_axis(&of),
-            None => name.trim().to_lowercase() == letters_of_sides,
-        }
-    })
+/// Whether the numbers in these columns of a row, as far as it has any, can be longitude and latitude.
+fn may_be_degrees(records: &Records, record: &StringRecord, [x, y]: [usize; 2]) -> bool {
+    let read = |axis: Axis, column: usize| axis.read(record.get(column).unwrap_or(""), |text| records.number(text)).unwrap_or(0.0);
+    is_on_earth([read(Axis::Longitude, x), read(Axis::Latitude, y)])
 }
 
-/// The coordinate whose side a name says, in letters.
-fn side_of(name: &str) -> Option<String> {
-    let plain = letters(&without_unit(name, &[]).0);
-    ["ref", "hemisphere", "hem"].iter().find_map(|word| plain.strip_suffix(word).map(String::from))
-}
-
-/// Whether the side that a name says is that of this coordinate.
-fn is_side_of(name: &str, coordinate: &str) -> bool {
-    let plain = letters(&without_unit(coordinate, &["m"]).0);
-    side_of(name).is_some_and(|of| of.ends_with(&plain) || plain.ends_with(&of))
+/// Whether a place can be longitude and latitude in degrees.
+pub(super) fn is_on_earth([longitude_deg, latitude_deg]: [f64; 2]) -> bool {
+    longitude_deg.abs() <= 180.0 && latitude_deg.abs() <= 90.0
 }

@@ -5,8 +5,8 @@ use super::column_units::units;
 use super::columns::UnreadColumns;
 use super::control::StatedUnit;
 use super::error_columns::ErrorColumns;
-use super::hemispheres::{Axis, on_side};
-use super::position_columns::PositionColumns;
+use super::hemispheres::Axis;
+use super::position_columns::{PositionColumns, is_on_earth};
 use super::system_line::SystemLine;
 use super::whole_numbers::has_leading_zero;
 use crate::error::refuse;
@@ -135,7 +135,7 @@ impl Table {
             return Ok(Self { columns, records, head: None, above, system });
         }
         let shown = names.or(misplaced).or_else(|| records.likely_head(PositionColumns::needed).cloned()).unwrap_or_default();
-        let columns = PositionColumns::named_by(&records, &shown)?;
+        let columns = PositionColumns::named_by(&records, &shown, rows)?;
         columns.numbers().check_thousands(&records, rows)?;
         columns.numbers().check(&records, rows)?;
         Ok(Self { columns, records, head: Some(shown), above, system })
@@ -191,7 +191,7 @@ impl Table {
                 return Ok(value);
             };
             let refusal = || Refusal::PositionSide { word: shorten(field(side)), column: name(side), value: shorten(field(column)), line };
-            axis.is_negative(field(side)).and_then(|is_negative| on_side(value, is_negative)).ok_or_else(|| refusal().into_error())
+            axis.on_side(value, field(side)).ok_or_else(|| refusal().into_error())
         };
         let given = |column: Option<usize>| column.filter(|column| !is_none(field(*column))).map(number).transpose();
         let image = field(columns.image).to_string();
@@ -237,10 +237,6 @@ fn in_order_of_degrees(rows: &mut [ImagePositionRow]) -> Result<bool, Error> {
 
 fn exchanged([x, y]: [f64; 2]) -> [f64; 2] {
     [y, x]
-}
-
-fn is_on_earth([longitude_deg, latitude_deg]: [f64; 2]) -> bool {
-    longitude_deg.abs() <= 180.0 && latitude_deg.abs() <= 90.0
 }
 
 /// More numbers than these have decimal points: rows without names have a place, a height, and perhaps what is behind it.

@@ -153,3 +153,66 @@ fn heights_on_an_unknown_side_of_sea_level_are_left_out_and_counted() {
     assert_eq!(positions(&text).rows.iter().map(|row| row.height).collect::<Vec<_>>(), [Some(171.5), Some(-3.0), None]);
     assert_eq!(position_head(&text).unwrap().unread_height, Some(("GPSAltitudeRef".into(), 1)));
 }
+
+#[test]
+fn hemispheres_of_points_stand_in_columns_of_their_own_too() {
+    let head = "name,GPSLatitude,GPSLatitudeRef,GPSLongitude,GPSLongitudeRef,height\n";
+    let south = format!("{head}A,33.5,S,8.25,West,3\n");
+    assert_eq!(first(&south).1, [-8.25, -33.5, 3.0]);
+    assert!(unread_columns(&south).unwrap().unknown.is_empty());
+    assert!(message(&format!("{head}A,-33.5,N,8.25,E,3\n")).contains("'-33.5 N' for y in line 2"));
+    assert!(message(&format!("{head}A,33.5,S,8.25,,3\n")).contains("'8.25 ' for x in line 2"));
+}
+
+#[test]
+fn standard_errors_are_of_any_coordinate_by_any_of_its_names() {
+    let named = |head: &str| first(&format!("Name,{head}\nP1,8.5,50.5,152,0.01,0.02,0.03\n")).2;
+    for head in [
+        "Longitude,Latitude,Ellipsoidal height,Longitude RMS,Latitude RMS,Ellipsoidal height RMS",
+        "X/Easting,Y/Northing,Z/Altitude,X/Easting_Accuracy_(m),Y/Northing_Accuracy_(m),Z/Altitude_Accuracy_(m)",
+        "GPSLongitude,GPSLatitude,AbsoluteAltitude,RtkStdLon,RtkStdLat,RtkStdHgt",
+        "x,y,z,sigma (x),sigma [y],sigma (z)",
+    ] {
+        assert_eq!(named(head), Some([0.02, 0.03]), "{head}");
+    }
+    for head in ["Précision horizontale (m);Précision verticale (m)", "Ecart type planimétrique;Ecart type altimétrique"] {
+        assert_eq!(first(&format!("name;x;y;z;{head}\nA;1,5;2,5;3,5;0,02;0,03\n")).2, Some([0.02, 0.03]), "{head}");
+    }
+    // Estimates of Metashape are no coordinates to the east.
+    let estimated = "#Label,X/Easting,Y/Northing,Z/Altitude,X_est,Y_est,Z_est\nP1,1.5,2,3,4,5,6\n";
+    assert_eq!(unread_columns(estimated).unwrap().unknown, ["X_est", "Y_est", "Z_est"]);
+}
+
+#[test]
+fn heights_above_the_sea_are_none_of_longitudes_and_latitudes() {
+    for name in ["Elevation (NAVD88)", "Höhe [m NHN]", "NN-Höhe", "Altitude (m MSL)", "alt_msl", "Altitude above sea level"] {
+        let of = |place: &str| format!("image,{place},{name}\na.jpg,8.25,50.5,171.5\n");
+        let geographic = of("lon,lat");
+        assert_eq!(positions(&geographic).rows[0].height, None, "{name}");
+        assert_eq!(position_head(&geographic).unwrap().unread_height, Some((name.into(), 1)), "{name}");
+    }
+    let both = "image,lon,lat,Elevation (NAVD88),Ellip. Hgt.\na.jpg,8.25,50.5,124.5,171.5\n";
+    assert_eq!(positions(both).rows[0].height, Some(171.5));
+    assert_eq!(positions("image,x,y,orthometric height\na.jpg,446833.25,5594521.5,171.5\n").rows[0].height, Some(171.5));
+    assert_eq!(positions("image,x,y,orthometric height\na.jpg,8.25,50.5,171.5\n").rows[0].height, None);
+    // In a plane heights count from where those of its system do.
+    assert_eq!(positions("image,easting,northing,alt_msl\na.jpg,446833.25,5594521.5,171.5\n").rows[0].height, Some(171.5));
+    let above_ground = "image,lon,lat,alt_agl\na.jpg,8.25,50.5,60\n";
+    assert_eq!(position_head(above_ground).unwrap().unread_height, Some(("alt_agl".into(), 1)));
+}
+
+#[test]
+fn heads_of_further_languages_and_programs_are_known() {
+    for head in [
+        "Punktnr;Öst;Norr;Höjd",
+        "Punkt;E (SWEREF 99 TM);N (SWEREF 99 TM);Höjd (RH2000)",
+        "Matricule;X (L93);Y (L93);Z (IGN69)",
+        "Numéro;Est;Nord;Altitude NGF",
+        "Point ID;Grid Easting;Grid Northing;Elevation",
+        "Point Number;Easting;Northing;Point Elevation",
+        "Pkt;Längengrad;Breitengrad;Ell. Höhe",
+    ] {
+        assert_eq!(first(&format!("{head}\n7;1,5;2,5;3,5\n")), ("7".into(), [1.5, 2.5, 3.5], None), "{head}");
+    }
+    assert_eq!(first("Pkt;Y (GK M34);X (GK M34);H\n7;2,5;1,5;3,5\n").1, [1.5, 2.5, 3.5]);
+}
