@@ -117,7 +117,7 @@ pub(crate) fn records(input: Input, text: &str) -> Result<Records, Error> {
         let is_empty = record.iter().all(str::is_empty);
         if !is_comment && !is_empty {
             let fields = record.iter().filter(|field| separator != b' ' || !field.is_empty());
-            found.rows.push((line, fields.map(unguarded).collect()));
+            found.rows.push((line, fields.map(unguarded).map(in_ascii).collect()));
         }
     }
     let clear = |(_, record): &(usize, StringRecord)| record.iter().any(is_clearly_decimal);
@@ -137,6 +137,20 @@ fn plain(text: &str) -> Cow<'_, str> {
 
 /// The Arabic semicolon and comma.
 const ARABIC: [char; 2] = ['\u{61b}', '\u{60c}'];
+
+/// A number in Arabic or Persian digits, or with the minus of typographers, as ASCII has it; any other text as it is.
+fn in_ascii(cell: &str) -> Cow<'_, str> {
+    let plain = |sign: char| match sign {
+        '0'..='9' | '.' | ',' | '+' | '-' => Some(sign),
+        '٠'..='٩' => char::from_digit(sign as u32 - '٠' as u32, 10),
+        '۰'..='۹' => char::from_digit(sign as u32 - '۰' as u32, 10),
+        '٫' => Some('.'),
+        '−' => Some('-'),
+        _ => None,
+    };
+    let number = Some(cell).filter(|cell| !cell.is_ascii()).and_then(|cell| cell.chars().map(plain).collect::<Option<String>>());
+    number.map_or(Cow::Borrowed(cell), Cow::Owned)
+}
 
 /// Whether a cell of numbers holds none: it is empty, or has a dash for that.
 pub(crate) fn is_none(field: &str) -> bool {
@@ -370,6 +384,14 @@ mod tests {
             records.shown(&records.rows[0].1)
         };
         assert_eq!(["P 1;1,5", "P 1\t1,5", "P 1, 1.5"].map(shown), ["P 1;1,5", "P 1 1,5", "P 1,1.5"]);
+    }
+
+    #[test]
+    fn numbers_in_arabic_digits_and_with_other_minus_signs_are_read() {
+        let found = records(Input::Text, "P١;٤٤٦٨٣٣٫٢٥;−98,5;۱۲;−\n").unwrap();
+        let row = &found.rows[0].1;
+        assert_eq!([1, 2, 3].map(|column| found.number(&row[column])), [Some(446_833.25), Some(-98.5), Some(12.0)]);
+        assert!(&row[0] == "P١" && is_none(&row[4]), "{row:?}");
     }
 
     #[test]

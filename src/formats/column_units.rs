@@ -46,7 +46,7 @@ const UNITS: [(&str, Unit); 31] = [
 
 /// Units that are not read, between blanks.
 const OTHERS: &str = "in inch inches \" ″ rod rods dm yd yard yards chain chains link links mi mile miles nm fathom fathoms µm μm mas gon gons grad grads \
-                      rad radian radians min minutes sec seconds dms arcsec px pix pixel pixels";
+                      rad radian radians min minutes sec seconds dms arcsec px pix pixel pixels norm normalized normalised";
 
 /// Words for surfaces near the sea that heights count from, with or without a number behind them, between blanks.
 const SEA_LEVELS: &str = "navd ngvd cgvd egm dhhn ngf ign nn nhn nap ln lhn rh odn ahd evrf msl amsl asl";
@@ -139,6 +139,13 @@ pub(super) fn without_other_unit(name: &str) -> Option<String> {
     let is_unit = |word: &str| OTHERS.split(' ').chain(UNITS.iter().map(|(unit, _)| *unit)).any(|known| known == word);
     let is_scale = inner.contains(['×', '*', '^', '/']);
     (is_scale || words.any(is_unit)).then(|| letters(bare))
+}
+
+/// Whether something stands behind a name that is none of these units: in brackets, or a unit behind a sign.
+pub(super) fn is_of_other_unit(name: &str, own: &[&str]) -> bool {
+    let (bare, unit) = without_unit(name, own);
+    let is_unit = |word: &str| is_in(OTHERS, word) || UNITS.iter().any(|(known, _)| *known == word);
+    unit.is_none() && (in_brackets(&bare).is_some() || bare.rsplit_once(['_', ' ']).is_some_and(|(_, behind)| is_unit(behind)))
 }
 
 /// The units as tables write them.

@@ -138,6 +138,17 @@ pub(crate) fn error_columns(text: &str) -> Result<ErrorColumns, Error> {
     Ok(ErrorColumns::of(names.as_ref(), across, up))
 }
 
+/// The columns without a name that are read as standard errors and may be something else.
+///
+/// # Errors
+/// As [`parse_ground_control_points`].
+pub(crate) fn unnamed_errors(text: &str) -> Result<Vec<String>, Error> {
+    let (points, columns) = (parse_ground_control_points(text)?, error_columns(text)?);
+    let records = records(Input::ControlTable, text)?;
+    let Layout { names, .. } = Layout::of(&records)?;
+    Ok(columns.unnamed(names.as_ref(), points.iter().filter_map(|point| Some(point.standard_errors?.map(Some)))))
+}
+
 fn read_point(
     records: &Records,
     record: &StringRecord,

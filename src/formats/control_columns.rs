@@ -79,18 +79,23 @@ impl<'a> Layout<'a> {
         let Headed { names, rows, misplaced } = records.headed(needed, &units())?;
         if let Some(names) = names {
             let columns = Columns::named_by(&names, needed(&names), rows)?;
-            columns.numbers().check_thousands(records, rows)?;
-            columns.numbers().check(records, rows)?;
+            let numbers = columns.numbers(names.len());
+            numbers.check_thousands(records, rows)?;
+            numbers.check(records, rows)?;
             return Ok(Self { columns, names: Some(names), rows });
         }
         SystemLine::refuse_in(records)?;
         let has_number = |record: &StringRecord, column: usize| record.get(column).is_some_and(|field| records.number(field).is_some());
         // Of points that were not surveyed yet the coordinates are empty.
         let first = || rows.iter().map(|(_, record)| record).find(|record| !Columns::default().lacks_coordinates(record));
-        let is_in_order = misplaced.is_none() && first().is_none_or(|first| (1..4).all(|column| has_number(first, column)));
+        // A name with decimals, and a height without any, are rather a coordinate and a name.
+        let has_decimals = |record: &StringRecord, column: usize| has_number(record, column) && record[column].contains(['.', ',']);
+        let is_shifted = |record: &StringRecord| has_decimals(record, 0) && has_number(record, 3) && !has_decimals(record, 3);
+        let are_shifted = !rows.is_empty() && rows.iter().all(|(_, record)| is_shifted(record));
+        let is_in_order = misplaced.is_none() && !are_shifted && first().is_none_or(|first| (1..4).all(|column| has_number(first, column)));
         if is_in_order {
             let columns = Columns { standard_errors: errors_in_order(records)?, ..Columns::default() };
-            columns.numbers().check_thousands(records, rows)?;
+            columns.numbers(0).check_thousands(records, rows)?;
             return Ok(Self { columns, names: None, rows });
         }
         let shown = misplaced.as_ref().or_else(|| records.likely_head(needed));
@@ -165,12 +170,14 @@ impl Columns {
         self.position.into_iter().all(|column| record.get(column).is_some_and(is_none))
     }
 
-    /// Its numbers, and what is none.
-    fn numbers(&self) -> NumberColumns {
+    /// Its numbers, and what is none. `named`: so many columns a line names.
+    fn numbers(&self, named: usize) -> NumberColumns {
         let errors = self.standard_errors.into_iter().flat_map(|([x, y], z)| [x, y, z]).zip(self.error_units_m);
         let texts = [Some(self.name), self.uses.role, self.uses.enabled].into_iter().flatten();
         let read = self.position.into_iter().chain(self.sigma_px);
-        NumberColumns { read: read.collect(), errors: errors.collect(), texts: texts.collect() }
+        // Nobody surveys a point to a degree.
+        let named = Some(named).filter(|_| !self.is_geographic);
+        NumberColumns { read: read.collect(), errors: errors.collect(), texts: texts.collect(), named }
     }
 
     /// The columns that are read.

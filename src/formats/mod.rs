@@ -51,12 +51,14 @@ pub use colmap_read::read_colmap_model;
 pub(crate) use columns::{LENGTHS, UnreadColumns};
 pub use control::{GroundControlRow, parse_ground_control_points};
 pub(crate) use control::{
-    StatedUnit, control_system, error_columns, ground_control_table, points_without_coordinates, stated_units, unread_columns,
+    StatedUnit, control_system, error_columns, ground_control_table, points_without_coordinates, stated_units, unnamed_errors,
+    unread_columns,
 };
 pub(crate) use csv_tables::{images_table, points_table, rays_table};
 pub(crate) use error_columns::ErrorColumns;
 pub use export::{ExportFormat, export_block};
 pub(crate) use marks::image_measurement_table;
+pub(crate) use marks::unread_mark_columns;
 pub use marks::{ImageMeasurementRow, parse_image_measurements};
 pub use positions::{ImagePositionRow, ImagePositions, parse_image_positions};
 pub(crate) use positions::{PositionHead, position_head};

@@ -5,7 +5,7 @@ use super::column_units::unit_m;
 use super::columns::{IMAGES, UnreadColumns, letters, others, without_unit};
 use super::control::StatedUnit;
 use super::control_columns::check_unit;
-use super::error_columns::ErrorColumns;
+use super::error_columns::{ErrorColumns, can_be_errors};
 use super::hemispheres::Axis;
 use super::side_columns::{is_side_of, side_column};
 use super::whole_numbers::NumberColumns;
@@ -40,20 +40,19 @@ pub(super) struct PositionColumns {
 
 impl PositionColumns {
     /// The columns of rows without names. `coordinates`: what x and y are, where the table says its system. Standard errors stand behind the height where nothing
-    /// follows them, or behind three angles, and only where all of them can be some.
+    /// follows them, or behind three angles, and only where all of them can be some. Below a line with a system, as OpenDroneMap has it, angles stand first.
     pub fn in_order(records: &Records, coordinates: Option<Coordinates>) -> Self {
         let width = records.rows.iter().map(|(_, record)| filled(record)).max().unwrap_or(0);
         let errors = match width {
-            6 => Some(4),
+            6 if coordinates.is_none() => Some(4),
             9 => Some(7),
             _ => None,
         };
+        let given = |column: usize| records.rows.iter().filter_map(move |(_, record)| record.get(column).filter(|field| !is_none(field)));
+        let numbers = |column: usize| given(column).map(|field| records.number(field)).collect::<Option<Vec<f64>>>();
         // Angles and words stand there, too.
-        let is_error = |field: &str| is_none(field) || records.number(field).is_some_and(|error| error > 0.0 && error <= MOST_ERROR_M);
-        let are_errors = |column: &usize| {
-            records.rows.iter().all(|(_, record)| [*column, column + 1].iter().all(|column| record.get(*column).is_none_or(is_error)))
-        };
-        let errors = errors.filter(are_errors);
+        let are_errors = |column: usize| numbers(column).is_some_and(|numbers| can_be_errors(&numbers, MOST_ERROR_M));
+        let errors = errors.filter(|column| are_errors(*column) && are_errors(column + 1));
         Self {
             image: 0,
             place: [1, 2],
@@ -142,13 +141,16 @@ impl PositionColumns {
     }
 
     /// Its numbers, and what is none. Standard errors beside whole degrees are rather halves of these.
-    pub fn numbers(&self) -> NumberColumns {
+    pub fn numbers(&self, named: usize) -> NumberColumns {
         let is_of_degrees = self.coordinates == Some(Coordinates::Geographic);
         let [unit_x, unit_y, unit_up] = self.error_units_m;
         let across = self.across.into_iter().flatten().zip([unit_x, unit_y]);
         let errors = across.chain(self.up.map(|up| (up, unit_up))).filter(|_| !is_of_degrees);
         let texts = self.sides.into_iter().flatten().chain([self.image]);
-        NumberColumns { read: self.place.into_iter().chain(self.height).collect(), errors: errors.collect(), texts: texts.collect() }
+        // Nobody measures where an image was taken to a degree.
+        let named = Some(named).filter(|_| !is_of_degrees);
+        let read = self.place.into_iter().chain(self.height);
+        NumberColumns { read: read.collect(), errors: errors.collect(), texts: texts.collect(), named }
     }
 
     /// The columns of some rows that are not read. `head`: the line of names, where there is one.

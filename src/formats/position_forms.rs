@@ -97,6 +97,13 @@ fn coordinates_of_a_plane_are_told_from_degrees() {
         ("a,446833.25,5594521.5,171.5,1,2,3,0.02,0.04\n", [Some(0.02), Some(0.04)]),
         ("a,446833.25,5594521.5,171.5,1,2,3\n", [None, None]),
         ("a,446833.25,5594521.5,171.5,91,2\n", [None, None]),
+        // One for all is stated, and what varies by metres is something else.
+        ("a,446833.25,5594521.5,171.5,5,10\nb,446833.25,5594521.5,171.5,5,10\n", [Some(5.0), Some(10.0)]),
+        ("a,446833.25,5594521.5,171.5,0.02,0.04\nb,446833.25,5594521.5,171.5,0.9,0.8\n", [Some(0.02), Some(0.04)]),
+        ("a,446833.25,5594521.5,171.5,12,2\nb,446833.25,5594521.5,171.5,13,2.5\n", [None, None]),
+        ("a,446833.25,5594521.5,171.5,0.9,14\nb,446833.25,5594521.5,171.5,0.9,15\n", [None, None]),
+        ("EPSG:25832\na 446833.25 5594521.5 171.5 0.5 0.2\n", [None, None]),
+        ("EPSG:25832\na 446833.25 5594521.5 171.5 12 2 1 0.02 0.04\n", [Some(0.02), Some(0.04)]),
         ("a,446833.25,5594521.5,171.5,TP,bolt\n", [None, None]),
     ] {
         let found = read(text);
@@ -105,6 +112,10 @@ fn coordinates_of_a_plane_are_told_from_degrees() {
         assert_eq!((row.place, row.height, row.standard_errors), ([446_833.25, 5_594_521.5], Some(171.5), errors), "{text}");
     }
     assert_eq!(unread("a,446833.25,5594521.5,171.5,91,2\n").unknown, ["#5", "#6"]);
+    let unnamed = |text: &str| position_head(text).unwrap().unnamed_errors;
+    assert_eq!(unnamed("a,446833.25,5594521.5,171.5,0.5,10\n"), ["#5", "#6"]);
+    assert!(unnamed("a,446833.25,5594521.5,171.5,0.02,0.04\n").is_empty());
+    assert!(unnamed("image,x,y,z,sigma_xy,sigma_z\na,446833.25,5594521.5,171.5,5,10\n").is_empty());
     // `x` of a plane is no longitude where one row lies beyond.
     assert!(!read("image,x,y\na,10,20\nb,1000,20\n").is_geographic);
 }
@@ -222,6 +233,7 @@ fn decimal_commas_do_not_hide_in_named_columns_that_are_left_over() {
     assert_eq!(read("image,x,y,z\na.jpg,446833,5594521,171\n").rows[0].height, Some(171.0));
     assert_eq!(read("id,image,x,y,z\n7,a.jpg,446833,5594521,171\n").rows[0].height, Some(171.0));
     assert_eq!(read("image,x,y,z,accuracy\na.jpg,446833,5594521,171,3\n").rows[0].standard_errors, [Some(3.0); 2]);
+    assert_eq!(read("image,x,y,z,yaw\na.jpg,446833,5594521,171,91\n").rows[0].height, Some(171.0));
     assert_eq!(read("image,x,y,z,yaw\na.jpg,446833,5594521,171,91\nb.jpg,446833,5594521,171,91.5\n").rows.len(), 2);
 }
 
@@ -239,6 +251,13 @@ fn tables_without_a_position_are_refused() {
         assert!(position_head(text).is_err(), "{text}");
     }
     assert_eq!(read("#image,lat,lon\ra.jpg,50.5,8.25\rb.jpg,50.5,8.5\r").rows.len(), 2);
+}
+
+#[test]
+fn places_without_heights_stand_between_blanks_too() {
+    for text in ["EPSG:32615\na.jpg 446833.25 5594521.5\n", "image x y\na.jpg 446833,25 5594521,5\n"] {
+        assert_eq!((read(text).rows[0].place, read(text).rows[0].height), ([446_833.25, 5_594_521.5], None), "{text}");
+    }
 }
 
 #[test]

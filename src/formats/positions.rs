@@ -75,6 +75,8 @@ pub(crate) struct PositionHead {
     pub stated_units: Vec<StatedUnit>,
     /// Columns of standard errors that say no unit.
     pub error_columns: ErrorColumns,
+    /// Columns without a name that are read as standard errors and may be something else.
+    pub unnamed_errors: Vec<String>,
     /// A column of heights that is not understood, and how many positions have none for it.
     pub unread_height: Option<(String, usize)>,
     /// Images at longitude 0 and latitude 0, as the table names them.
@@ -99,7 +101,8 @@ pub(crate) fn position_head(text: &str) -> Result<PositionHead, Error> {
         None => of_side.map(|column| (column, unsided)).filter(|(_, unsided)| *unsided > 0),
     };
     let (unread, error_columns) = (columns.unread(table.rows(), head), columns.error_columns(head));
-    Ok(PositionHead { unread, stated_units, error_columns, unread_height, nowhere, system: table.system.clone() })
+    let unnamed_errors = error_columns.unnamed(head, positions.rows.iter().map(|row| row.standard_errors));
+    Ok(PositionHead { unread, stated_units, error_columns, unnamed_errors, unread_height, nowhere, system: table.system.clone() })
 }
 
 struct Table {
@@ -131,13 +134,14 @@ impl Table {
             // Places in a system that is named have east first, also in degrees.
             let coordinates = system.as_ref().map(|_| Coordinates::Either);
             let columns = PositionColumns::in_order(&records, coordinates);
-            columns.numbers().check_thousands(&records, rows)?;
+            columns.numbers(0).check_thousands(&records, rows)?;
             return Ok(Self { columns, records, head: None, above, system });
         }
         let shown = names.or(misplaced).or_else(|| records.likely_head(PositionColumns::needed).cloned()).unwrap_or_default();
         let columns = PositionColumns::named_by(&records, &shown, rows)?;
-        columns.numbers().check_thousands(&records, rows)?;
-        columns.numbers().check(&records, rows)?;
+        let numbers = columns.numbers(shown.len());
+        numbers.check_thousands(&records, rows)?;
+        numbers.check(&records, rows)?;
         Ok(Self { columns, records, head: Some(shown), above, system })
     }
 

@@ -1,8 +1,8 @@
 //! Tests: tables whose names of columns, codes and empty cells are those of further programs.
 
-use super::control::{parse_ground_control_points, points_without_coordinates, unread_columns};
+use super::control::{parse_ground_control_points, points_without_coordinates, unnamed_errors, unread_columns};
 use super::control_forms::{first, message};
-use super::marks::parse_image_measurements;
+use super::marks::{parse_image_measurements, unread_mark_columns};
 use super::position_forms::read as positions;
 use super::positions::{parse_image_positions, position_head};
 
@@ -215,4 +215,41 @@ fn heads_of_further_languages_and_programs_are_known() {
         assert_eq!(first(&format!("{head}\n7;1,5;2,5;3,5\n")), ("7".into(), [1.5, 2.5, 3.5], None), "{head}");
     }
     assert_eq!(first("Pkt;Y (GK M34);X (GK M34);H\n7;2,5;1,5;3,5\n").1, [1.5, 2.5, 3.5]);
+}
+
+#[test]
+fn coordinates_are_no_names() {
+    for text in ["446833.2,5594521.7,124.0,1\n446834.2,5594522.7,124.5,2\n", "446833,2;5594521,7;124,0;1\n"] {
+        assert!(message(text).contains("neither a column 'name'"), "{text}: {}", message(text));
+    }
+    assert_eq!(first("1.1,446833.2,5594521.7,124.5\n").0, "1.1");
+    assert_eq!(first("1.1,446833.2,5594521.7,124\nP2,446834.2,5594522.7,125\n").0, "1.1");
+}
+
+#[test]
+fn numbers_without_names_that_may_be_codes_are_named_where_they_are_read_as_standard_errors() {
+    assert_eq!(unnamed_errors("1,446833.2,5594521.7,124.0,3,2\n").unwrap(), ["#5", "#6"]);
+    for certain in
+        ["1,446833.2,5594521.7,124.0,0.02,0.03\n", "name,x,y,z,sigma_xy,sigma_z\n1,2.5,3,4,3,2\n", "1,446833.2,5594521.7,124.0\n"]
+    {
+        assert!(unnamed_errors(certain).unwrap().is_empty(), "{certain}");
+    }
+}
+
+#[test]
+fn image_measurements_are_in_px_and_their_other_columns_are_named() {
+    for (head, column) in [("x (mm),y (mm)", "x (mm)"), ("x_norm,y_norm", "x_norm"), ("x,y (up)", "y (up)"), ("x_mm,y_mm", "x_mm")] {
+        let refused = parse_image_measurements(&format!("image,point,{head}\na.jpg,P1,0.5,0.2\n")).unwrap_err().to_string();
+        assert!(refused.contains(&format!("the column '{column}', in a unit that is not known; allowed: px")), "{refused}");
+    }
+    let read = |text: &str| parse_image_measurements(text).unwrap()[0].x_px;
+    assert_eq!(read("Bild;Punkt;Bildkoordinate x;Bildkoordinate y\na.jpg;P1;100,5;200,5\n"), 100.5);
+    for thousands in ["image\tpoint\tx\ty\na.jpg\tP1\t1,024\t2,048\n", "a.jpg\tP1\t1,024\t2,048\n"] {
+        assert!(parse_image_measurements(thousands).unwrap_err().to_string().contains("whether commas"), "{thousands}");
+    }
+    assert_eq!(read("image\tpoint\tx\ty\na.jpg\tP1\t1,024\t2,04\n"), 1.024);
+    assert_eq!(unread_mark_columns("image,point,x,y,enabled,accuracy\na.jpg,P1,1.5,2,0,0.5\n").unwrap(), ["enabled", "accuracy"]);
+    assert_eq!(unread_mark_columns("image,Ziel,x,y,weight\na.jpg,P1,1.5,2,0\n").unwrap(), ["weight"]);
+    assert_eq!(unread_mark_columns("a.jpg,P1,1.5,2,7\n").unwrap(), ["#5"]);
+    assert!(unread_mark_columns("image,point,x,y\na.jpg,P1,1.5,2\n").unwrap().is_empty());
 }

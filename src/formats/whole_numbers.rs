@@ -17,6 +17,8 @@ pub(super) struct NumberColumns {
     pub errors: Vec<(usize, f64)>,
     /// Those of names and words, whose numbers are none.
     pub texts: Vec<usize>,
+    /// How many columns the line names; absent where whole numbers are unlikely, as those of degrees.
+    pub named: Option<usize>,
 }
 
 impl NumberColumns {
@@ -30,7 +32,8 @@ impl NumberColumns {
     }
 
     /// Refuses a table between commas none of whose numbers has a point, where a row of it has more of them than are read, as `8,25,50,5,171,5` has below
-    /// `lon,lat,alt,yaw,pitch,roll`; one that begins with a zero, as `069`; or a standard error of 10 m or more.
+    /// `lon,lat,alt,yaw,pitch,roll`; one that begins with a zero, as `069`; or a standard error of 10 m or more. More numbers than are read are no sign of
+    /// decimal commas where each row has as many fields as there are names: with decimals it would have more.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] with the first such row.
@@ -52,7 +55,9 @@ impl NumberColumns {
         let error = |record: &StringRecord, column: usize| record.get(column).and_then(|field| records.number(field)).unwrap_or(0.0);
         let is_large = |record: &StringRecord| self.errors.iter().any(|(column, unit_m)| unit_m * error(record, *column) >= LEAST_FIGURES);
         let read: BTreeSet<usize> = self.read.iter().copied().chain(self.errors.iter().map(|(column, _)| *column)).collect();
-        let is_cut = |record: &StringRecord| numbers(record).len() > read.len() || begins_with_zero(record) || is_large(record);
+        let are_whole = rows.iter().all(|(_, record)| self.named == Some(record.len()));
+        let is_more = |record: &StringRecord| !are_whole && numbers(record).len() > read.len();
+        let is_cut = |record: &StringRecord| is_more(record) || begins_with_zero(record) || is_large(record);
         let cut = rows.iter().find(|(_, record)| is_cut(record));
         let Some((line, record)) = cut else { return Ok(()) };
         refuse(Refusal::DecimalCommas { input: records.input(), record: records.shown(record), line: *line })

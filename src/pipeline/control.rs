@@ -6,7 +6,7 @@ use crate::crs::{CoordinateSystem, Definition, HeightZero};
 use crate::error::refuse;
 use crate::formats::{
     ErrorColumns, StatedUnit, SystemLine, UnreadColumns, control_system, error_columns, points_without_coordinates, stated_units,
-    unread_columns,
+    unnamed_errors, unread_columns, unread_mark_columns,
 };
 use crate::{
     BlockDescription, ControlRole, Error, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
@@ -27,6 +27,10 @@ pub struct ControlTables {
     marks: Vec<ImageMeasurementRow>,
     /// Columns of the points that are not read.
     pub(super) unread_columns: UnreadColumns,
+    /// Those without a name that are read as standard errors, and may be something else.
+    pub(super) unnamed_errors: Vec<String>,
+    /// Columns of the image measurements that are not read.
+    pub(super) unread_mark_columns: Vec<String>,
     /// Points of the table without any coordinate.
     pub(super) without_coordinates: Vec<String>,
     /// Units that columns of coordinates have in their names.
@@ -45,8 +49,19 @@ impl ControlTables {
     pub fn read(points: &str, marks: &str) -> Result<Self, Error> {
         let (unread_columns, stated_units, error_columns) = (unread_columns(points)?, stated_units(points)?, error_columns(points)?);
         let (without_coordinates, own_system) = (points_without_coordinates(points)?, control_system(points)?);
+        let (unnamed_errors, unread_mark_columns) = (unnamed_errors(points)?, unread_mark_columns(marks)?);
         let (points, marks) = (parse_ground_control_points(points)?, parse_image_measurements(marks)?);
-        Ok(Self { points, marks, unread_columns, without_coordinates, stated_units, error_columns, own_system })
+        Ok(Self {
+            points,
+            marks,
+            unread_columns,
+            unnamed_errors,
+            unread_mark_columns,
+            without_coordinates,
+            stated_units,
+            error_columns,
+            own_system,
+        })
     }
 
     /// Refuses, before the images are read, what a run of images with these names would refuse. Before there is a block, the images that the
