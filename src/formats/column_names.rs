@@ -1,6 +1,6 @@
 //! What the name of a column says that it holds: coordinates, standard errors and uses, in the words of many programs and languages.
 
-use super::column_units::{Unit, in_brackets, is_above_sea, named, without_reference};
+use super::column_units::{Unit, behind_reference, in_brackets, is_above_sea, named, without_reference};
 use super::columns::letters;
 use csv::StringRecord;
 
@@ -35,21 +35,21 @@ const NAMES: [(Column, &str); 9] = [
     (
         Column::X,
         "x e east easting longitude lon rechtswert ost xeasting long xlongitude rechts ostwert eastings \
-         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine coordenadax xcoordinate coordinatex xcoord coordx locale localeast localeasting utmost utmeast utmeasting utmrechtswert grideasting öst längengrad geogrlänge \
+         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine coordenadax xcoordinate coordinatex xcoord coordx öst längengrad \
          الشرق شرق الشرقيات شرقيات خطالطول خططول",
     ),
     (
         Column::Y,
         "y n north northing latitude lat hochwert nord ynorthing ylatitude hoch nordwert northings \
-         breite gpslatitude ylat norte latitud latitudine coordenaday ycoordinate coordinatey ycoord coordy localn localnorth localnorthing utmnord utmnorth utmnorthing utmhochwert gridnorthing norr breitengrad geogrbreite \
+         breite gpslatitude ylat norte latitud latitudine coordenaday ycoordinate coordinatey ycoord coordy norr breitengrad \
          الشمال شمال الشماليات شماليات خطالعرض خطعرض دائرةالعرض",
     ),
     (
         Column::Z,
         // With the sign for a letter that was not in UTF-8, too.
         "z h height elevation altitude elev höhe alt zaltitude zelevation zheight hoehe h\u{fffd}he orthometricheight orthoheight ellipsoidalheight \
-         ellipsoidheight ellheight hell elliphgt elliphht ellhgt ellipheight ellipsoidalhgt ellipsoidischehöhe ellipsoidischehoehe heightellipsoidal gpsaltitude absolutealtitude hauteurellipsoïdale hauteurellipsoidale altitudeellipsoïdale \
-         altitudeellipsoidale alturaelipsoidal quotaellissoidica localh localheight nhnhöhe nhnhoehe nnhöhe ellhöhe hgt zalt up pointelevation höjd \
+         ellipsoidheight ellheight hell elliphgt elliphht ellhgt ellipheight ellipsoidalhgt ellipsoidischehöhe ellipsoidischehoehe heightellipsoidal gpsaltitude absolutealtitude absalt hauteurellipsoïdale hauteurellipsoidale altitudeellipsoïdale \
+         altitudeellipsoidale alturaelipsoidal quotaellissoidica hgt zalt up pointelevation höjd \
          cota quota cote hauteur altura altitud altitudine coordenadaz zcoordinate coordinatez zcoord coordz elevación elevacion elevação الارتفاع ارتفاع المنسوب منسوب",
     ),
     (Column::ErrorAcross, "across acch"),
@@ -60,7 +60,7 @@ const NAMES: [(Column, &str); 9] = [
 ];
 
 /// The words for a standard error, bare or with an axis before or behind them. `error` is none: other programs call residuals that.
-const ERRORS: [&str; 18] = [
+const ERRORS: [&str; 21] = [
     "sigma",
     "accuracy",
     "acc",
@@ -76,6 +76,9 @@ const ERRORS: [&str; 18] = [
     "genauigkeit",
     "standardabweichung",
     "stdabw",
+    "stabw",
+    "prec",
+    "σ",
     "précision",
     "ecarttype",
     "écarttype",
@@ -84,7 +87,10 @@ const ERRORS: [&str; 18] = [
 /// The axes of standard errors beside the names of coordinates.
 const AXES: [(Column, &[&str]); 4] = [
     (Column::ErrorAll, &["xyz"]),
-    (Column::ErrorAcross, &["xy", "horizontal", "horizontale", "horz", "hor", "lage", "plan", "planimétrique", "lateral", "across", "en"]),
+    (
+        Column::ErrorAcross,
+        &["xy", "horizontal", "horizontale", "horiz", "horz", "hor", "lage", "plan", "planimétrique", "lateral", "across", "en"],
+    ),
     (Column::ErrorUp, &["vertical", "verticale", "vert", "u", "höhen", "hoehen", "altimétrique"]),
     (Column::ErrorPx, &["px", "image"]),
 ];
@@ -163,8 +169,8 @@ pub(super) fn meaning_of(name: &str) -> Option<(Column, usize)> {
     let (joined, unit) = named(name);
     let plain = letters(&joined);
     let of_reference = || {
-        let found = listed(&letters(without_reference(&joined)?))?;
-        matches!(found.0, Column::X | Column::Y | Column::Z).then_some(found)
+        let found = [without_reference(&joined), behind_reference(&joined)].into_iter().flatten().find_map(|bare| listed(&letters(bare)));
+        found.filter(|(column, _)| matches!(column, Column::X | Column::Y | Column::Z))
     };
     let listed = axis_in_words(&joined).unwrap_or_else(|| listed(&plain).or_else(of_reference));
     match unit {

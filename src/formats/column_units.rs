@@ -51,8 +51,8 @@ const OTHERS: &str = "in inch inches \" ″ rod rods dm yd yard yards chain chai
 /// Words for surfaces near the sea that heights count from, with or without a number behind them, between blanks.
 const SEA_LEVELS: &str = "navd ngvd cgvd egm dhhn ngf ign nn nhn nap ln lhn rh odn ahd evrf msl amsl asl";
 /// Words for other surfaces and systems that coordinates refer to.
-const REFERENCES: &str = "utm gk lv wgs etrs etrf itrf igs nad rgf lambert l93 osgb gda mga mgi rd sweref ed tm mtm epsg ellipsoid ellipsoidal \
-                          ellipsoidisch ellipsoidische ellip orthometric ortho geoid local lokal";
+const REFERENCES: &str = "gps grid geogr geographische utm gk lv wgs etrs etrf itrf igs nad rgf lambert l93 osgb gda mga mgi rd sweref ed tm mtm epsg ellipsoid ellipsoidal \
+                          ellipsoidisch ellipsoidische ellip ell orthometric ortho geoid local lokal";
 /// Words beside these. West and south are none: numbers that grow that way have another sign.
 const FILLERS: &str = "ü über ueber above over the sea level zone height n e m28 m31 m34";
 
@@ -131,6 +131,14 @@ pub(super) fn without_reference(joined: &str) -> Option<&str> {
     }
 }
 
+/// A name in small letters behind the system that it is of: `latitude` of `WGS84 Latitude`, `ost` of `UTM-Ost`. X, y and z in a system of the earth may be
+/// those of its centre, and of a geoid a height is its own.
+pub(super) fn behind_reference(joined: &str) -> Option<&str> {
+    let (system, bare) = joined.split_once([' ', '_', '-'])?;
+    let is_open = matches!(bare, "x" | "y" | "z") || system == "geoid";
+    Some(bare).filter(|_| !is_open && is_reference(system, false))
+}
+
 /// A name in letters without the unit in brackets behind it that is not read.
 pub(super) fn without_other_unit(name: &str) -> Option<String> {
     let (joined, _) = named(name);
@@ -199,12 +207,23 @@ mod tests {
             ("x (l93)", Some("x")),
             ("y (gk m34)", Some("y")),
             ("n (satellites)", None),
+            ("wgs84 latitude", None),
             ("h (antenna)", None),
             ("x (1)", None),
             ("longitude (w)", None),
             ("h local", None),
         ] {
             assert_eq!(without_reference(name), bare, "{name}");
+        }
+        for (name, bare) in [
+            ("wgs84 latitude", Some("latitude")),
+            ("gps_lat", Some("lat")),
+            ("utm-ost", Some("ost")),
+            ("wgs84 x", None),
+            ("geoid height", None),
+            ("antenna height", None),
+        ] {
+            assert_eq!(behind_reference(name), bare, "{name}");
         }
         for (name, bare) in [
             ("Easting [inch]", Some("easting")),

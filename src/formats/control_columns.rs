@@ -1,7 +1,8 @@
 //! What the columns of a table of control points hold, by their names or by their order.
 
 use super::column_names::{
-    Column, Coordinates, coordinates_of, has_unknown_error_unit, is_lone_letter, listed, meaning_of, meanings, names_of, plain,
+    Column, Coordinates, coordinates_of, has_unknown_error_unit, is_ellipsoidal, is_lone_letter, listed, meaning_of, meanings, names_of,
+    plain,
 };
 use super::column_units::{unit_m, units, without_other_unit};
 use super::columns::{LENGTHS, others};
@@ -109,10 +110,11 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// The column that holds this, of several the one whose name stands first among those for it.
+/// The column that holds this, of several the one whose name stands first among those for it; of heights one above the ellipsoid last.
 fn place(names: &StringRecord, meanings: &[Option<Column>], wanted: Column) -> Option<usize> {
     let rank = |column: usize| names.get(column).and_then(meaning_of).map_or(usize::MAX, |(_, rank)| rank);
-    (0..meanings.len()).filter(|k| meanings[*k] == Some(wanted)).min_by_key(|column| (rank(*column), *column))
+    let is_last = |column: usize| wanted == Column::Z && names.get(column).and_then(is_ellipsoidal) == Some(true);
+    (0..meanings.len()).filter(|k| meanings[*k] == Some(wanted)).min_by_key(|column| (is_last(*column), rank(*column), *column))
 }
 
 /// The columns of x and y that are named in one way: by words of the plane, by letters, or as longitude and latitude.
@@ -177,7 +179,8 @@ impl Columns {
         let read = self.position.into_iter().chain(self.sigma_px);
         // Nobody surveys a point to a degree.
         let named = Some(named).filter(|_| !self.is_geographic);
-        NumberColumns { read: read.collect(), errors: errors.collect(), texts: texts.collect(), named }
+        let height = Some(self.position[2]);
+        NumberColumns { read: read.collect(), height, errors: errors.collect(), texts: texts.collect(), named }
     }
 
     /// The columns that are read.

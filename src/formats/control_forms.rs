@@ -216,6 +216,7 @@ fn decimal_commas_do_not_hide_in_named_columns_that_are_left_over() {
         "name,x,y,z,sigma_xy,sigma_z,code\nA,428374,069,5316020,123,104,5\n",
         "name,x,y,z,sigma_xy,sigma_z\nA,428374,5,5316020,123,104\n",
         "name,x,y,z,date,remark,crew\nA,428374,5,5316020,123,104\n",
+        "name,x,y,z,date,remark\nA,428374,5,5316020,123,104\n",
         "name,longitude,latitude,z,code,crew\nA,8,25,50,5,104\n",
         "name,x,y,z\nA,428374,069,5316020\n",
         "A,428374,069,5316020\n",

@@ -115,6 +115,7 @@ impl<'a> Layout<'a> {
         let Headed { names, rows, misplaced } = records.headed(find, &UNITS)?;
         let numbers = |[image, point, x, y]: [usize; 4], named: usize| NumberColumns {
             read: vec![x, y],
+            height: None,
             errors: Vec::new(),
             texts: vec![image, point],
             named: Some(named),

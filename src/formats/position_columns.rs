@@ -116,14 +116,11 @@ impl PositionColumns {
             certain => certain,
         };
         let heights = all(Column::Z);
-        let height = match coordinates {
-            Coordinates::Plane => heights.first().copied(),
-            _ => {
-                let above_ellipsoid = |column: &&usize| is_ellipsoidal(name(**column)) == Some(true);
-                let open = |column: &&usize| is_ellipsoidal(name(**column)).is_none();
-                heights.iter().find(above_ellipsoid).or_else(|| heights.iter().find(open)).copied()
-            }
+        let surfaces = match coordinates {
+            Coordinates::Plane => [Some(false), None, Some(true)].as_slice(),
+            _ => &[Some(true), None],
         };
+        let height = surfaces.iter().find_map(|surface| heights.iter().copied().find(|height| is_ellipsoidal(name(*height)) == *surface));
         let is_of_degrees = coordinates == Coordinates::Geographic;
         let sides = [
             side_column(head, Axis::Longitude).filter(|_| is_of_degrees),
@@ -150,7 +147,7 @@ impl PositionColumns {
         // Nobody measures where an image was taken to a degree.
         let named = Some(named).filter(|_| !is_of_degrees);
         let read = self.place.into_iter().chain(self.height);
-        NumberColumns { read: read.collect(), errors: errors.collect(), texts: texts.collect(), named }
+        NumberColumns { read: read.collect(), height: self.height, errors: errors.collect(), texts: texts.collect(), named }
     }
 
     /// The columns of some rows that are not read. `head`: the line of names, where there is one.

@@ -175,7 +175,12 @@ fn standard_errors_are_of_any_coordinate_by_any_of_its_names() {
     ] {
         assert_eq!(named(head), Some([0.02, 0.03]), "{head}");
     }
-    for head in ["Précision horizontale (m);Précision verticale (m)", "Ecart type planimétrique;Ecart type altimétrique"] {
+    for head in [
+        "Précision horizontale (m);Précision verticale (m)",
+        "Ecart type planimétrique;Ecart type altimétrique",
+        "σ_xy;σ_z",
+        "Horiz. Prec.;Vert. Prec.",
+    ] {
         assert_eq!(first(&format!("name;x;y;z;{head}\nA;1,5;2,5;3,5;0,02;0,03\n")).2, Some([0.02, 0.03]), "{head}");
     }
     // Estimates of Metashape are no coordinates to the east.
@@ -195,6 +200,8 @@ fn heights_above_the_sea_are_none_of_longitudes_and_latitudes() {
     assert_eq!(positions(both).rows[0].height, Some(171.5));
     assert_eq!(positions("image,x,y,orthometric height\na.jpg,446833.25,5594521.5,171.5\n").rows[0].height, Some(171.5));
     assert_eq!(positions("image,x,y,orthometric height\na.jpg,8.25,50.5,171.5\n").rows[0].height, None);
+    let both = "image,easting,northing,H (ell.),H (NHN)\na.jpg,446833.25,5594521.5,171.5,124.5\n";
+    assert_eq!(positions(both).rows[0].height, Some(124.5));
     // In a plane heights count from where those of its system do.
     assert_eq!(positions("image,easting,northing,alt_msl\na.jpg,446833.25,5594521.5,171.5\n").rows[0].height, Some(171.5));
     let above_ground = "image,lon,lat,alt_agl\na.jpg,8.25,50.5,60\n";
@@ -210,10 +217,18 @@ fn heads_of_further_languages_and_programs_are_known() {
         "Numéro;Est;Nord;Altitude NGF",
         "Point ID;Grid Easting;Grid Northing;Elevation",
         "Point Number;Easting;Northing;Point Elevation",
+        "Pkt;ETRS89_Ost;ETRS89_Nord;Höhe_NHN",
+        "Pkt;GK-Rechtswert;GK-Hochwert;NN-Höhe",
+        "name;WGS84 Longitude;WGS84 Latitude;WGS84 Ellip. Height",
+        "name;gps_lon;gps_lat;gps_alt",
         "Pkt;Längengrad;Breitengrad;Ell. Höhe",
     ] {
         assert_eq!(first(&format!("{head}\n7;1,5;2,5;3,5\n")), ("7".into(), [1.5, 2.5, 3.5], None), "{head}");
     }
+    for unknown in ["name;WGS84 X;WGS84 Y;WGS84 Z", "name;e;n;geoid height"] {
+        assert!(message(&format!("{unknown}\n7;1,5;2,5;3,5\n")).contains("neither a column"), "{unknown}");
+    }
+    assert_eq!(first("Pkt;E;N;H (ell.);H (NHN)\n7;1,5;2,5;50,5;3,5\n").1, [1.5, 2.5, 3.5]);
     assert_eq!(first("Pkt;Y (GK M34);X (GK M34);H\n7;2,5;1,5;3,5\n").1, [1.5, 2.5, 3.5]);
 }
 
