@@ -31,7 +31,7 @@ pub struct ImageMeasurementRow {
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line: for a name that is missing, a number that is none, and a point twice in an image; for a first line or a
-/// comment above it that names some columns elsewhere than in that order and not all; for fields that may be parts of numbers with decimal commas.
+/// comment above it that names some columns elsewhere than in that order and not all, or places in another unit than px; for fields that may be parts of numbers with decimal commas.
 ///
 /// # Source
 /// The columns of the table of marks of Pix4D.

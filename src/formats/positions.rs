@@ -51,7 +51,8 @@ pub struct ImagePositionRow {
 /// ExifTool writes them; heights above sea level and below it likewise. (0, 0), which receivers without a fix write, is no position.
 ///
 /// Places under names that leave it open (`x`, `X/Longitude`) are longitudes and latitudes where all of them can be. Without names the columns are image, x,
-/// y, height; of six columns the last two, and of nine, behind three angles, the last two are standard errors, where all of them are above 0 and up to 50 m. Degrees without names are longitude and
+/// y, height; of six columns the last two, and of nine, behind three angles, the last two are standard errors, where all of a column are above 0 and below
+/// 1 m, or one number up to 50 m; below a line with a coordinate system six have two angles. Degrees without names are longitude and
 /// latitude in whatever order, where one of the two is beyond 90° somewhere. Rows without any coordinate, which a dash may stand for, are skipped, as are blank lines and
 /// lines that begin with `#`.
 ///

@@ -28,6 +28,7 @@ import { FilmFiles } from './film';
 import { GroundFiles } from './ground';
 import { newId } from './ids';
 import { fieldsOf, OWN_SETTINGS } from '../../shared/files/json';
+import { textIn } from '../../shared/files/text';
 import { asGiven, sortRasters } from './rasters';
 import type { BlockRuns } from './runs';
 import { hasFiducials, hasNumbers, kindOfTable } from './tables';
@@ -285,7 +286,7 @@ export class BlockFiles {
   /** Takes cameras that were given with these photos; a file that cannot be used is put aside, and changes nothing: what is said of it. */
   private async takeCameras(file: File, photos: readonly FoundFile[]): Promise<string> {
     const { state } = this.store;
-    const text = await file.text();
+    const text = await textIn(file);
     const files = [...state.files, ...photos.map((photo) => ({ id: 0, name: photo.file.name, file: photo.file }))];
     const { cameras: problem } = problemsOf({ ...state, files, options: { ...state.options, cameras: { name: file.name, text } } });
     if (problem === undefined) {
@@ -302,8 +303,8 @@ export class BlockFiles {
     const cameras: File[] = [];
     const marks: File[] = [];
     for (const file of given) {
-      if (CAMERAS.test(file.name) && FOCAL_LENGTH in fieldsOf(await file.text())) cameras.push(file);
-      else if (TABLE.test(file.name) && hasFiducials(await file.text())) marks.push(file);
+      if (CAMERAS.test(file.name) && FOCAL_LENGTH in fieldsOf(await textIn(file))) cameras.push(file);
+      else if (TABLE.test(file.name) && hasFiducials(await textIn(file))) marks.push(file);
     }
     const [camera] = cameras;
     const said = [...(camera === undefined ? [] : [await this.film.camera(camera)]), ...(marks.length === 0 ? [] : [await this.film.marks(marks)])];
@@ -329,7 +330,7 @@ export class BlockFiles {
     const aside: string[] = [];
     let count = 0;
     for (const file of files) {
-      const text = await file.text();
+      const text = await textIn(file);
       const found = kindOfTable(text, names);
       // Any other text, such as notes, is no table.
       if (found.kind === 'neither' && !CSV.test(file.name) && !hasNumbers(text)) continue;
@@ -348,7 +349,7 @@ export class BlockFiles {
 
   /** Takes a file of text and says what is wrong with it; it stays beside its field until another is given or it is removed. */
   async takeText(given: GivenText, file: File): Promise<void> {
-    this.store.dispatch({ type: 'options', options: { [given]: { name: file.name, text: await file.text() } } });
+    this.store.dispatch({ type: 'options', options: { [given]: { name: file.name, text: await textIn(file) } } });
     const problem = problemsOf(this.store.state)[given];
     const said = say('from', { texts: TEXTS[given], name: file.name });
     if (problem === undefined)

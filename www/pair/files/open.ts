@@ -25,6 +25,7 @@ import { haveSameContent, readProject, sideOfFile } from './project';
 import { sortFiles } from './sort';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
+import { textIn } from '../../shared/files/text';
 
 /** Longest side of the copy of a mask that is shown, px. */
 export const MASK_SIDE = 1024;
@@ -270,7 +271,7 @@ export class Files {
 
   private async takeFiducials(file: File, side: Side, here: Here): Promise<Told> {
     try {
-      const fiducials = await this.engine.client('pair').call('parseFiducials', { text: await file.text() });
+      const fiducials = await this.engine.client('pair').call('parseFiducials', { text: await textIn(file) });
       here();
       this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
       return info(say('fiducial-of-the-image-from', { fiducials: fiducials.length, side, name: file.name }));
@@ -281,7 +282,7 @@ export class Files {
 
   private async takeCamera(file: File, here: Here): Promise<Told> {
     try {
-      const camera = await this.engine.client('pair').call('parseCamera', { text: await file.text() });
+      const camera = await this.engine.client('pair').call('parseCamera', { text: await textIn(file) });
       here();
       this.store.dispatch({ type: 'camera', camera });
       return info(say('camera-data-from', { name: file.name }));
