@@ -126,8 +126,8 @@ pub(super) fn coordinates_of(name: &str) -> Coordinates {
 pub(super) fn is_ellipsoidal(name: &str) -> Option<bool> {
     let plain = plain(name);
     match () {
-        () if plain.contains("ell") || plain.contains("elipsoid") => Some(true),
         () if plain.contains("ortho") || is_above_sea(name) => Some(false),
+        () if ["ell", "elipsoid", "wgs"].iter().any(|word| plain.contains(word)) => Some(true),
         () => None,
     }
 }

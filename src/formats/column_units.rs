@@ -10,7 +10,7 @@ pub(super) enum Unit {
 }
 
 /// Units as tables write them.
-const UNITS: [(&str, Unit); 31] = [
+const UNITS: [(&str, Unit); 32] = [
     ("m", Unit::Length("m")),
     ("metre", Unit::Length("m")),
     ("metres", Unit::Length("m")),
@@ -33,6 +33,7 @@ const UNITS: [(&str, Unit); 31] = [
     ("sft", Unit::Length("us-ft")),
     ("us survey feet", Unit::Length("us-ft")),
     ("us survey foot", Unit::Length("us-ft")),
+    ("us survey ft", Unit::Length("us-ft")),
     ("ift", Unit::Length("ft")),
     ("international feet", Unit::Length("ft")),
     ("international foot", Unit::Length("ft")),
@@ -49,10 +50,14 @@ const OTHERS: &str = "in inch inches \" ″ rod rods dm yd yard yards chain chai
                       rad radian radians min minutes sec seconds dms arcsec px pix pixel pixels norm normalized normalised";
 
 /// Words for surfaces near the sea that heights count from, with or without a number behind them, between blanks.
-const SEA_LEVELS: &str = "navd ngvd cgvd egm dhhn ngf ign nn nhn nap ln lhn rh odn ahd evrf msl amsl asl";
-/// Words for other surfaces and systems that coordinates refer to.
-const REFERENCES: &str = "gps grid geogr geographische utm gk lv wgs etrs etrf itrf igs nad rgf lambert l93 osgb gda mga mgi rd sweref ed tm mtm epsg ellipsoid ellipsoidal \
-                          ellipsoidisch ellipsoidische ellip ell orthometric ortho geoid local lokal";
+const SEA_LEVELS: &str = "navd ngvd cgvd egm dhhn ngf ign nn nhn nap ln lhn rh odn ahd evrf msl amsl asl orth ortho orthometric";
+/// Words for the ellipsoid.
+const ELLIPSOIDS: &str = "ellipsoid ellipsoidal ellipsoidisch ellipsoidische ellip ell";
+/// Words for systems and other surfaces that coordinates refer to.
+const REFERENCES: &str = "gps grid geogr geographische utm gk lv wgs etrs etrf itrf igs nad rgf lambert l93 osgb gda mga mgi rd sweref \
+                          ed tm mtm epsg geoid local lokal";
+/// Those of a plane, in which x and y are no coordinates from the centre of the earth.
+const PLANES: &str = "utm gk grid local lokal";
 /// Words beside these. West and south are none: numbers that grow that way have another sign.
 const FILLERS: &str = "ü über ueber above over the sea level zone height n e m28 m31 m34";
 
@@ -111,7 +116,7 @@ fn is_reference(text: &str, may_fill: bool) -> bool {
         && words.all(|word| {
             // A number or a zone behind what it is of.
             let is_number = word.starts_with(|sign: char| sign.is_ascii_digit());
-            let is_named = [SEA_LEVELS, REFERENCES].iter().any(|list| is_in(list, word) || is_in(list, without_number(word)));
+            let is_named = [SEA_LEVELS, ELLIPSOIDS, REFERENCES].iter().any(|list| is_in(list, word) || is_in(list, without_number(word)));
             let fits = is_named || is_in(FILLERS, word) || (is_number && refers);
             refers |= is_named;
             fits
@@ -125,17 +130,18 @@ pub(super) fn without_reference(joined: &str) -> Option<&str> {
         Some((bare, inner)) => Some(bare).filter(|_| is_reference(inner, false)),
         None => {
             let (bare, behind) = joined.trim_end().rsplit_once([' ', '_'])?;
-            let is_certain = behind.ends_with(|sign: char| sign.is_ascii_digit()) || is_in(SEA_LEVELS, behind);
+            let is_certain =
+                behind.ends_with(|sign: char| sign.is_ascii_digit()) || [SEA_LEVELS, ELLIPSOIDS].iter().any(|list| is_in(list, behind));
             Some(bare.trim_end()).filter(|_| is_certain && is_reference(behind, false))
         }
     }
 }
 
-/// A name in small letters behind the system that it is of: `latitude` of `WGS84 Latitude`, `ost` of `UTM-Ost`. X, y and z in a system of the earth may be
-/// those of its centre, and of a geoid a height is its own.
+/// A name in small letters behind the system that it is of: `latitude` of `WGS84 Latitude`, `ost` of `UTM-Ost`. X, y and z in a system of the earth may count
+/// from its centre, and the height of a geoid is its own.
 pub(super) fn behind_reference(joined: &str) -> Option<&str> {
     let (system, bare) = joined.split_once([' ', '_', '-'])?;
-    let is_open = matches!(bare, "x" | "y" | "z") || system == "geoid";
+    let is_open = (matches!(bare, "x" | "y" | "z") && !is_in(PLANES, without_number(system))) || system == "geoid";
     Some(bare).filter(|_| !is_open && is_reference(system, false))
 }
 
@@ -219,6 +225,7 @@ mod tests {
             ("wgs84 latitude", Some("latitude")),
             ("gps_lat", Some("lat")),
             ("utm-ost", Some("ost")),
+            ("utm32_x", Some("x")),
             ("wgs84 x", None),
             ("geoid height", None),
             ("antenna height", None),

@@ -228,7 +228,9 @@ fn heads_of_further_languages_and_programs_are_known() {
     for unknown in ["name;WGS84 X;WGS84 Y;WGS84 Z", "name;e;n;geoid height"] {
         assert!(message(&format!("{unknown}\n7;1,5;2,5;3,5\n")).contains("neither a column"), "{unknown}");
     }
-    assert_eq!(first("Pkt;E;N;H (ell.);H (NHN)\n7;1,5;2,5;50,5;3,5\n").1, [1.5, 2.5, 3.5]);
+    for heights in ["H (ell.);H (NHN)", "H ell;H orth", "WGS84 Height;Elevation", "Alt_ell;Alt_msl"] {
+        assert_eq!(first(&format!("Pkt;E;N;{heights}\n7;1,5;2,5;50,5;3,5\n")).1, [1.5, 2.5, 3.5], "{heights}");
+    }
     assert_eq!(first("Pkt;Y (GK M34);X (GK M34);H\n7;2,5;1,5;3,5\n").1, [1.5, 2.5, 3.5]);
 }
 
