@@ -111,7 +111,8 @@ impl State {
         if let Some(control) = &mut self.input.control {
             let UnreadColumns { unknown, doubled } = std::mem::take(&mut control.unread_columns);
             let (unnamed, of_marks) = (std::mem::take(&mut control.unnamed_errors), std::mem::take(&mut control.unread_mark_columns));
-            let remarks: [(Vec<String>, fn(Vec<String>) -> Remark); 7] = [
+            type Of = fn(Vec<String>) -> Remark;
+            let remarks: [(Vec<String>, Of); 7] = [
                 (unknown, |columns| Remark::UnknownColumns { columns }),
                 (doubled, |columns| Remark::DoubledColumns { columns }),
                 (unnamed, |columns| Remark::UnnamedErrors { columns }),
