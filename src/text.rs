@@ -1,11 +1,13 @@
 //! Text that people and spreadsheets write: its records with their lines, and its pieces in messages.
 
+mod digits;
 mod head;
 mod separator;
 
 use crate::error::refuse;
 use crate::{Error, Input, Refusal};
 use csv::{Reader, ReaderBuilder, StringRecord, Trim, WriterBuilder};
+use digits::in_ascii;
 pub(crate) use head::Headed;
 use separator::{has_thousands, is_clearly_decimal, is_data, is_decimal_comma, of_line};
 use std::borrow::Cow;
@@ -137,20 +139,6 @@ fn plain(text: &str) -> Cow<'_, str> {
 
 /// The Arabic semicolon and comma.
 const ARABIC: [char; 2] = ['\u{61b}', '\u{60c}'];
-
-/// A number in Arabic or Persian digits, or with the minus of typographers, as ASCII has it; any other text as it is.
-fn in_ascii(cell: &str) -> Cow<'_, str> {
-    let plain = |sign: char| match sign {
-        '0'..='9' | '.' | ',' | '+' | '-' => Some(sign),
-        '٠'..='٩' => char::from_digit(sign as u32 - '٠' as u32, 10),
-        '۰'..='۹' => char::from_digit(sign as u32 - '۰' as u32, 10),
-        '٫' => Some('.'),
-        '−' => Some('-'),
-        _ => None,
-    };
-    let number = Some(cell).filter(|cell| !cell.is_ascii()).and_then(|cell| cell.chars().map(plain).collect::<Option<String>>());
-    number.map_or(Cow::Borrowed(cell), Cow::Owned)
-}
 
 /// Whether a cell of numbers holds none: it is empty, or has a dash for that.
 pub(crate) fn is_none(field: &str) -> bool {

@@ -1,7 +1,8 @@
 //! What a run knows, from stage to stage.
 
 use super::cameras::{check_distortion, contradicted, doubtful};
-use super::control::{LEAST_CONTROL, control_point};
+use super::control::LEAST_CONTROL;
+use super::control_point::control_point;
 use super::input::{Checked, RunInput};
 use super::observed::observed_position;
 use super::system::{check_near, system_of, with_unit};
