@@ -1,11 +1,13 @@
 //! Text that people and spreadsheets write: its records with their lines, and its pieces in messages.
 
+mod digits;
 mod head;
 mod separator;
 
 use crate::error::refuse;
 use crate::{Error, Input, Refusal};
 use csv::{Reader, ReaderBuilder, StringRecord, Trim, WriterBuilder};
+use digits::in_ascii;
 pub(crate) use head::Headed;
 use separator::{has_thousands, is_clearly_decimal, is_data, is_decimal_comma, of_line};
 use std::borrow::Cow;
@@ -117,7 +119,7 @@ pub(crate) fn records(input: Input, text: &str) -> Result<Records, Error> {
         let is_empty = record.iter().all(str::is_empty);
         if !is_comment && !is_empty {
             let fields = record.iter().filter(|field| separator != b' ' || !field.is_empty());
-            found.rows.push((line, fields.map(unguarded).collect()));
+            found.rows.push((line, fields.map(unguarded).map(in_ascii).collect()));
         }
     }
     let clear = |(_, record): &(usize, StringRecord)| record.iter().any(is_clearly_decimal);
@@ -370,6 +372,14 @@ mod tests {
             records.shown(&records.rows[0].1)
         };
         assert_eq!(["P 1;1,5", "P 1\t1,5", "P 1, 1.5"].map(shown), ["P 1;1,5", "P 1 1,5", "P 1,1.5"]);
+    }
+
+    #[test]
+    fn numbers_in_arabic_digits_and_with_other_minus_signs_are_read() {
+        let found = records(Input::Text, "P١;٤٤٦٨٣٣٫٢٥;−98,5;۱۲;−\n").unwrap();
+        let row = &found.rows[0].1;
+        assert_eq!([1, 2, 3].map(|column| found.number(&row[column])), [Some(446_833.25), Some(-98.5), Some(12.0)]);
+        assert!(&row[0] == "P١" && is_none(&row[4]), "{row:?}");
     }
 
     #[test]

@@ -41,6 +41,9 @@ test('a table is what its rows are', () => {
     'Bild;Rechtswert;Hochwert;Höhe\none.jpg;446833,25;5594521,5;171,5\n',
     'one.jpg,446833.25,5594521.5,171.5\n',
     'image,x,y,z\none.jpg,446833,5594521,171\n',
+    'Bild;Öst;Norr;Höjd\none.jpg;446833;5594521;171\n',
+    'Bild;UTM-Ost;UTM-Nord;NHN-Höhe\none.jpg;446833;5594521;171\n',
+    'image,gps_lat,gps_lon,gps_alt\none.jpg,50.5,8.25,171\n',
   ])
     assert.deepEqual(kind(positions), { kind: 'positions' }, positions);
   assert.deepEqual(kind('Label,Longitude,Latitude\na,8.25,50.5\n', 'A.JPG'), { kind: 'positions' });

@@ -2,7 +2,8 @@
 import { export_formats, FinishedBlock, project_kind } from '../node.js';
 import { BlockFolder, formatsOf } from './block-folder.js';
 import { about, DataError, UsageError } from './errors.js';
-import { readBytes, textOf } from './files.js';
+import { readBytes } from './files.js';
+import { textOf } from '../block/text-of.js';
 import { JSON_FLAG, LANGUAGE, languageOf, list, path } from './options.js';
 import { note } from './output.js';
 

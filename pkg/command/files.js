@@ -20,6 +20,7 @@ import {
 import { rename, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { IMAGE_FILE } from '../block/image-files.js';
+import { textOf } from '../block/text-of.js';
 import { bytesOfKind, START_BYTES } from '../block/refused-files.js';
 import { message, Photo, refused_kind } from '../node.js';
 import { about, DataError } from './errors.js';
@@ -78,18 +79,6 @@ export function inParts(path) {
       }
     },
   };
-}
-
-/** What marks a text as one of UTF-16, as spreadsheets save "Unicode text". */
-const UTF_16 = /** @type {const} */ ([
-  ['utf-16le', 0xff, 0xfe],
-  ['utf-16be', 0xfe, 0xff],
-]);
-
-/** @param {Buffer} bytes */
-export function textOf(bytes) {
-  const marked = UTF_16.find(([, first, second]) => bytes[0] === first && bytes[1] === second);
-  return marked === undefined ? bytes.toString('utf8').replace(/^\ufeff/, '') : new TextDecoder(marked[0]).decode(bytes);
 }
 
 /** @param {string} path @returns {string} */

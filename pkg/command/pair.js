@@ -4,7 +4,8 @@
 import { camera_of_focal_px, parse_camera, parse_fiducials } from '../node.js';
 import { cameraOfBlock, holdsBlock } from './block-camera.js';
 import { about, UsageError } from './errors.js';
-import { readBytes, readMask, readText, textOf } from './files.js';
+import { readBytes, readMask, readText } from './files.js';
+import { textOf } from '../block/text-of.js';
 import { checkTogether, MASK, pair, path, valueOption } from './options.js';
 
 /**

@@ -872,17 +872,26 @@ remark-doubled-columns =
         [0] {""}
        *[other] {" "}و{ $columns_more } أخرى
     }
+remark-unnamed-errors =
+    أعمدة بلا أسماء في جدول نقاط الضبط تُقرأ أخطاءً معيارية بالمتر: { $columns }؛ سمِّ الأعمدة إن كانت شيئًا آخر
+remark-unknown-mark-columns =
+    أعمدة في جدول القياسات الصورية غير مفهومة ولا تُقرأ: { $columns }{ $columns_more ->
+        [0] {""}
+       *[other] {" "}و{ $columns_more } أخرى
+    }
+remark-unnamed-position-errors =
+    أعمدة بلا أسماء في جدول مواضع الصور تُقرأ أخطاءً معيارية بالمتر: { $columns }؛ سمِّ الأعمدة إن كانت شيئًا آخر
 remark-unknown-position-columns =
     أعمدة في جدول مواضع الصور غير مفهومة ولا تُقرأ: { $columns }{ $columns_more ->
         [0] {""}
        *[other] {" "}و{ $columns_more } أخرى
     }
 remark-position-heights =
-    العمود '{ $column }' في جدول مواضع الصور غير مفهوم، ولا تُقرأ الارتفاعات { $positions ->
+    لا تُقرأ الارتفاعات { $positions ->
         [one] لموضع واحد
         [two] لموضعين
        *[other] لعدد من المواضع هو { $positions }
-    }
+    } في جدول مواضع الصور: العمود '{ $column }' غير مفهوم، أو ليست فيه ارتفاعات فوق الإهليلجي كما تلزم مع خطوط الطول والعرض
 remark-doubled-position-columns =
     أعمدة في جدول مواضع الصور تعطي ما يعطيه عمود آخر (بين قوسين) ولا تُقرأ: { $columns }{ $columns_more ->
         [0] {""}

@@ -1367,16 +1367,25 @@ remark-doubled-columns =
         [0] {""}
        *[other] {" "}and { $columns_more } more
     }
+remark-unnamed-errors =
+    columns of the table of control points without names are read as standard errors in m: { $columns }; name the columns where they are something else
+remark-unknown-mark-columns =
+    columns of the table of image measurements are not understood and not read: { $columns }{ $columns_more ->
+        [0] {""}
+       *[other] {" "}and { $columns_more } more
+    }
+remark-unnamed-position-errors =
+    columns of the table of image positions without names are read as standard errors in m: { $columns }; name the columns where they are something else
 remark-unknown-position-columns =
     columns of the table of image positions are not understood and not read: { $columns }{ $columns_more ->
         [0] {""}
        *[other] {" "}and { $columns_more } more
     }
 remark-position-heights =
-    the column '{ $column }' of the table of image positions is not understood, and heights are not read for { $positions ->
+    heights are not read for { $positions ->
         [one] 1 position
        *[other] { $positions } positions
-    }
+    } of the table of image positions: its column '{ $column }' is not understood, or has no heights above the ellipsoid, which longitudes and latitudes need
 remark-doubled-position-columns =
     columns of the table of image positions give what another column gives (in brackets) and are not read: { $columns }{ $columns_more ->
         [0] {""}

@@ -1,8 +1,9 @@
 //! Reading surveyed points: control and check points of a block.
 
+use super::column_names::meanings;
 use super::column_units::{Unit, named};
 use super::columns::UnreadColumns;
-use super::control_columns::{Columns, Layout, meanings};
+use super::control_columns::{Columns, Layout};
 use super::error_columns::ErrorColumns;
 use super::hemispheres::Axis;
 use super::system_line::SystemLine;
@@ -40,7 +41,7 @@ fn control() -> Option<ControlRole> {
 /// Numbers may have a decimal comma where commas do not separate, and in quotes. A line that names columns may come before them, below a title and above a line of units, in any order, in capitals or not: name, x, y, z, standard errors of place and height,
 /// of image measurements in px, and use (`control`, `check` or `off`, or what other programs write for them), each by one of many names in several languages, with `(m)` behind it or not; a run reports those that it
 /// does not read, and refuses coordinates whose name has another unit than their system. Standard errors in another unit are converted to m. A comment directly above rows of numbers is such a line where it names name, x, y and z, as Metashape writes it. Of standard errors of x and y the larger one counts; one without an axis, as `accuracy`, is that of all three. `up` is the height, or its
-/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files, or have the standard errors of x, y and height behind them; a fifth one of words, or a fifth and last one of whole numbers behind coordinates with a point, is a code and no standard error. Points without any coordinate, as other programs list those that were not surveyed, are skipped; a dash stands for none, too. Columns of longitude and latitude may have the letters of hemispheres, and minutes and seconds. Blank lines and lines that begin with `#` are skipped.
+/// standard error in a table with another height and standard errors of the place alone. Without that line the columns are those, as in Pix4D's files, or have the standard errors of x, y and height behind them; a fifth one of words, or a fifth and last one of whole numbers behind coordinates with a point, is a code and no standard error. Rows all of which begin with a number with decimals and have a height without are refused: they begin with a coordinate. Points without any coordinate, as other programs list those that were not surveyed, are skipped; a dash stands for none, too. Columns of longitude and latitude may have the letters of hemispheres, in the field or in columns of their own, and minutes and seconds. Blank lines and lines that begin with `#` are skipped.
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line, for numbers that are none, standard errors that are not above 0, a name that comes twice, and fields that may be parts of numbers with decimal commas.
@@ -137,6 +138,17 @@ pub(crate) fn error_columns(text: &str) -> Result<ErrorColumns, Error> {
     Ok(ErrorColumns::of(names.as_ref(), across, up))
 }
 
+/// The columns without a name that are read as standard errors and may be something else.
+///
+/// # Errors
+/// As [`parse_ground_control_points`].
+pub(crate) fn unnamed_errors(text: &str) -> Result<Vec<String>, Error> {
+    let (points, columns) = (parse_ground_control_points(text)?, error_columns(text)?);
+    let records = records(Input::ControlTable, text)?;
+    let Layout { names, .. } = Layout::of(&records)?;
+    Ok(columns.unnamed(names.as_ref(), points.iter().filter_map(|point| Some(point.standard_errors?.map(Some)))))
+}
+
 fn read_point(
     records: &Records,
     record: &StringRecord,
@@ -155,9 +167,14 @@ fn read_point(
         return refuse(Refusal::ControlName { name: shorten(&name), line });
     }
     let [x, y, z] = columns.position;
-    let coordinate = |axis: Axis, column: usize, what: &str| match axis.read(field(column), |text| records.number(text)) {
-        Some(value) if columns.is_geographic => Ok(value),
-        _ => number(column, what),
+    let coordinate = |axis: Axis, column: usize, what: &str| {
+        let value = match axis.read(field(column), |text| records.number(text)) {
+            Some(value) if columns.is_geographic => value,
+            _ => number(column, what)?,
+        };
+        let Some(side) = columns.sides[axis as usize].map(field) else { return Ok(value) };
+        let refusal = || Refusal::ControlNumber { word: shorten(&format!("{} {side}", field(column))), column: what.into(), line };
+        axis.on_side(value, side).ok_or_else(|| refusal().into_error())
     };
     let position = [coordinate(Axis::Longitude, x, "x")?, coordinate(Axis::Latitude, y, "y")?, number(z, "z")?];
     let given = columns.standard_errors.filter(|([x, y], z)| [x, y, z].iter().any(|column| !is_none(field(**column))));

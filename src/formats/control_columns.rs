@@ -1,9 +1,15 @@
 //! What the columns of a table of control points hold, by their names or by their order.
 
-use super::column_units::{Unit, in_brackets, named, unit_m, units, without_other_unit, without_reference};
-use super::columns::{LENGTHS, letters, others};
+use super::column_names::{
+    Column, Coordinates, coordinates_of, has_unknown_error_unit, is_ellipsoidal, is_lone_letter, listed, meaning_of, meanings, names_of,
+    plain,
+};
+use super::column_units::{unit_m, units, without_other_unit};
+use super::columns::{LENGTHS, others};
 use super::control_order::errors_in_order;
 use super::control_use::Uses;
+use super::hemispheres::Axis;
+use super::side_columns::side_column;
 use super::system_line::SystemLine;
 use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
@@ -12,276 +18,12 @@ use crate::{Error, Refusal};
 use csv::StringRecord;
 use std::collections::BTreeSet;
 
-/// What a column may hold.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Column {
-    Name,
-    X,
-    Y,
-    Z,
-    ErrorAcross,
-    ErrorX,
-    ErrorY,
-    ErrorUp,
-    /// Of all three coordinates.
-    ErrorAll,
-    ErrorPx,
-    Use,
-    /// What a point is, which may say how it is used.
-    Kind,
-    Enabled,
-}
-
-/// The names of columns in tables of control points, here and in other programs, as [`plain`] writes them. The first of them that a table has is read.
-const NAMES: [(Column, &str); 9] = [
-    (
-        Column::Name,
-        "name label point pointname id pointid gcp gcpname gcpid number pointnumber nr no pointno pointnr pt ptid ptno marker \
-         punkt punktname punktnummer punktnr pktnr pkt bezeichnung nomdupoint matricule n° nº numéro numero número num punto pto nom nombre nome ponto # \
-         النقطة نقطة رقمالنقطة اسمالنقطة الاسم الرقم",
-    ),
-    (
-        Column::X,
-        "x e east easting longitude lon rechtswert ost xeasting long xlongitude rechts ostwert eastings \
-         lng länge laenge gpslongitude xlon xlong est este leste longitud longitudine coordenadax xcoordinate coordinatex xcoord coordx locale localeast localeasting utmost utmeast utmeasting utmrechtswert \
-         الشرق شرق الشرقيات شرقيات خطالطول خططول",
-    ),
-    (
-        Column::Y,
-        "y n north northing latitude lat hochwert nord ynorthing ylatitude hoch nordwert northings \
-         breite gpslatitude ylat norte latitud latitudine coordenaday ycoordinate coordinatey ycoord coordy localn localnorth localnorthing utmnord utmnorth utmnorthing utmhochwert \
-         الشمال شمال الشماليات شماليات خطالعرض خطعرض دائرةالعرض",
-    ),
-    (
-        Column::Z,
-        // With the sign for a letter that was not in UTF-8, too.
-        "z h height elevation altitude elev höhe alt zaltitude zelevation zheight hoehe h\u{fffd}he orthometricheight orthoheight ellipsoidalheight \
-         ellipsoidheight ellheight hell elliphgt elliphht ellhgt ellipheight ellipsoidalhgt ellipsoidischehöhe ellipsoidischehoehe heightellipsoidal gpsaltitude absolutealtitude hauteurellipsoïdale hauteurellipsoidale altitudeellipsoïdale \
-         altitudeellipsoidale alturaelipsoidal quotaellissoidica localh localheight nhnhöhe nhnhoehe nnhöhe hgt zalt up \
-         cota quota cote hauteur altura altitud altitudine coordenadaz zcoordinate coordinatez zcoord coordz elevación elevacion elevação الارتفاع ارتفاع المنسوب منسوب",
-    ),
-    (Column::ErrorAcross, "across acch"),
-    (Column::ErrorUp, "accv uperror"),
-    (Column::Use, "use role"),
-    (Column::Kind, "type typ pointtype punktart"),
-    (Column::Enabled, "enabled enable active"),
-];
-
-/// The words for a standard error, bare or with an axis before or behind them. `error` is none: other programs call residuals that.
-const ERRORS: [&str; 18] = [
-    "sigma",
-    "accuracy",
-    "acc",
-    "std",
-    "stddev",
-    "stdev",
-    "sd",
-    "rms",
-    "rmse",
-    "precision",
-    "standarderror",
-    "standarddeviation",
-    "genauigkeit",
-    "standardabweichung",
-    "stdabw",
-    "précision",
-    "ecarttype",
-    "écarttype",
-];
-
-/// The axes of standard errors. `h` is none: it is height in one program, horizontal in the next.
-const AXES: [(Column, &[&str]); 6] = [
-    (Column::ErrorAll, &["xyz"]),
-    (Column::ErrorAcross, &["xy", "horizontal", "horz", "hor", "lage", "plan", "lateral", "across", "en"]),
-    (Column::ErrorX, &["x", "e", "east", "easting", "longitude", "lon", "ost", "rechts", "rechtswert"]),
-    (Column::ErrorY, &["y", "n", "north", "northing", "latitude", "lat", "nord", "hoch", "hochwert"]),
-    (
-        Column::ErrorUp,
-        &["z", "vertical", "vert", "u", "höhe", "hoehe", "höhen", "hoehen", "up", "height", "altitude", "alt", "elevation", "elev"],
-    ),
-    (Column::ErrorPx, &["px", "image"]),
-];
-
-/// A name of letters alone: programs join its words in many ways.
-fn plain(name: &str) -> String {
-    letters(&named(name).0)
-}
-
-/// The names that say a column to hold coordinates: those of the plane, of either, or of longitudes and latitudes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Coordinates {
-    Geographic,
-    Plane,
-    /// `x`, and the `X/Longitude` of programs that name one column for both.
-    Either,
-}
-
-/// What coordinates the name of a column of x or y says to hold.
-pub(super) fn coordinates_of(name: &str) -> Coordinates {
-    let plain = plain(name);
-    let is_of_degrees = ["lon", "lng", "länge", "laenge", "lat", "breite", "خطالطول", "خططول", "خطالعرض", "خطعرض", "دائرةالعرض"]
-        .iter()
-        .any(|word| plain.contains(word));
-    match () {
-        () if plain == "x" || plain == "y" || (is_of_degrees && plain.starts_with(['x', 'y'])) => Coordinates::Either,
-        () if is_of_degrees => Coordinates::Geographic,
-        () => Coordinates::Plane,
-    }
-}
-
-/// Whether a height is named as one above the ellipsoid, or, `Some(false)`, as one above the geoid; `None` where its name leaves that open.
-pub(super) fn is_ellipsoidal(name: &str) -> Option<bool> {
-    let plain = plain(name);
-    match () {
-        () if plain.contains("ell") || plain.contains("elipsoid") => Some(true),
-        () if plain.contains("ortho") => Some(false),
-        () => None,
-    }
-}
-
-/// What a name of letters says of NAMES, and how early it stands among the names for that: a letter, which may be of something else (`n` satellites, `h` of
-/// an antenna), behind all words.
-fn listed(plain: &str) -> Option<(Column, usize)> {
-    let behind = if is_lone_letter(plain) { BEHIND_WORDS } else { 0 };
-    NAMES.iter().find_map(|(column, names)| Some((*column, behind + names.split(' ').position(|known| known == plain)?)))
-}
-
-/// Ranks of letters follow those of words.
-const BEHIND_WORDS: usize = 1000;
-
-fn is_lone_letter(plain: &str) -> bool {
-    matches!(plain, "e" | "n" | "h")
-}
-
-/// What a name of an axis in a letter and in a word says, as `x (nord)`, `y/rechtswert` or `hochwert (x)`: the word counts, since letters are exchanged in
-/// some countries. `Some(None)`: words that contradict each other.
-fn axis_in_words(joined: &str) -> Option<Option<(Column, usize)>> {
-    let (one, other) = joined.trim_end_matches([')', ']']).split_once(['(', '[', '/', '_', ' '])?;
-    let [one, other] = [one, other].map(|part| letters(part.trim_matches(['(', '[', ')', ']', ' '])));
-    let is_letter = |name: &str| matches!(name, "x" | "y" | "z");
-    let (of_one, of_other) = (listed(&one)?, listed(&other)?);
-    let is_axis = |(column, _): (Column, usize)| matches!(column, Column::X | Column::Y | Column::Z);
-    match (is_axis(of_one) && is_axis(of_other), is_letter(&one), is_letter(&other)) {
-        (false, ..) => None,
-        (true, true, false) => Some(Some(of_other)),
-        (true, false, true) => Some(Some(of_one)),
-        (true, ..) => Some(Some(of_one).filter(|(column, _)| *column == of_other.0)),
-    }
-}
-
-/// What a name says, and how early it stands among the names for that; `None` where it says nothing here, and for standard errors in degrees.
-pub(super) fn meaning_of(name: &str) -> Option<(Column, usize)> {
-    let (joined, unit) = named(name);
-    let plain = letters(&joined);
-    let of_reference = || {
-        let found = listed(&letters(without_reference(&joined)?))?;
-        matches!(found.0, Column::X | Column::Y | Column::Z).then_some(found)
-    };
-    let listed = axis_in_words(&joined).unwrap_or_else(|| listed(&plain).or_else(of_reference));
-    match unit {
-        None | Some(Unit::Length("m")) => {}
-        Some(Unit::Degrees) => return listed.filter(|(column, _)| matches!(column, Column::X | Column::Y)),
-        Some(Unit::Length(_)) => {
-            let is_length =
-                |column: Column| !matches!(column, Column::Name | Column::ErrorPx | Column::Use | Column::Kind | Column::Enabled);
-            return listed.or_else(|| error_of(&joined, &plain)).filter(|(column, _)| is_length(*column));
-        }
-    }
-    listed.or_else(|| error_of(&joined, &plain))
-}
-
-/// What a name of a standard error says.
-fn error_of(joined: &str, plain: &str) -> Option<(Column, usize)> {
-    // `rmse` is bare, `rms_e` is of the east.
-    let bare = ERRORS.iter().position(|word| *word == joined).map(|rank| (Column::ErrorAll, rank));
-    let short = [("sx", Column::ErrorX), ("sy", Column::ErrorY), ("sz", Column::ErrorUp)].into_iter();
-    let short = short.filter(|(name, _)| *name == plain).map(|(_, column)| (column, ERRORS.len())).next();
-    short.or(bare).or_else(|| {
-        ERRORS.iter().enumerate().find_map(|(rank, word)| {
-            let axis = plain.strip_prefix(word).or_else(|| plain.strip_suffix(word))?;
-            let axes = AXES.iter().find(|(_, axes)| axes.contains(&axis)).map(|(column, _)| *column);
-            let column = if axis.is_empty() { Some(Column::ErrorAll) } else { axes };
-            column.map(|column| (column, rank))
-        })
-    })
-}
-
-/// Whether a name is of a standard error in degrees, or in a unit in brackets that is not known.
-fn has_unknown_error_unit(name: &str) -> bool {
-    let (joined, unit) = named(name);
-    let is_length_error = |joined: &str| {
-        let found = error_of(joined, &letters(joined)).or_else(|| listed(&letters(joined)));
-        found.is_some_and(|(column, _)| {
-            matches!(column, Column::ErrorAcross | Column::ErrorX | Column::ErrorY | Column::ErrorUp | Column::ErrorAll)
-        })
-    };
-    match in_brackets(&joined) {
-        Some((bare, inner)) => unit.is_none() && is_length_error(bare) && AXES.iter().all(|(_, axes)| !axes.contains(&inner)),
-        None => unit == Some(Unit::Degrees) && is_length_error(&joined),
-    }
-}
-
 /// Refuses a column of coordinates that would be the wanted one but for a unit in brackets that is not known.
 pub(super) fn check_unit(records: &Records, names: &StringRecord, wanted: Column) -> Result<(), Error> {
     let is_wanted = |name: &&str| without_other_unit(name).and_then(|bare| listed(&bare)).is_some_and(|(column, _)| column == wanted);
     let Some(name) = names.iter().find(is_wanted).filter(|_| matches!(wanted, Column::X | Column::Y | Column::Z)) else { return Ok(()) };
     let units = LENGTHS.map(|(unit, _)| unit).join(", ");
     refuse(Refusal::ColumnUnit { input: records.input(), column: shorten(name), units, degrees: wanted != Column::Z })
-}
-
-/// Whether a name is rather one of heights, though it is not read as such.
-pub(super) fn looks_like_height(name: &str) -> bool {
-    let (joined, _) = named(name);
-    let bare = in_brackets(&joined).map_or(&joined[..], |(bare, _)| bare);
-    let is_height = |bare: &str| listed(&letters(bare)).is_some_and(|(column, _)| column == Column::Z);
-    let is_of_words = ["height", "hgt", "altitude", "elevation", "höhe", "hoehe", "hauteur", "altura"];
-    let is_error = ERRORS.iter().any(|word| letters(&joined).contains(word));
-    !is_error && (is_height(bare) || is_of_words.iter().any(|word| bare.contains(word)))
-}
-
-/// The names of a column, between blanks.
-pub(super) fn names_of(column: Column) -> &'static str {
-    NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known)
-}
-
-/// What each column of a line of names holds. `up` beside another height, where errors of the place but none of the height are named, is that error; so is `h` beside errors of both axes;
-/// beside `v` it is the place.
-pub(super) fn meanings(record: &StringRecord) -> Vec<Option<Column>> {
-    let mut found: Vec<Option<Column>> = record.iter().map(|name| meaning_of(name).map(|(column, _)| column)).collect();
-    let is_up = |column: &usize| record.get(*column).is_some_and(|name| plain(name) == "up");
-    let has_height = (0..found.len()).any(|column| found[column] == Some(Column::Z) && !is_up(&column));
-    let lacks_error = found.contains(&Some(Column::ErrorAcross)) && !found.contains(&Some(Column::ErrorUp));
-    if has_height && lacks_error {
-        (0..found.len()).filter(is_up).for_each(|column| found[column] = Some(Column::ErrorUp));
-    }
-    // Numbers of points, where northings are in a column of their own.
-    let is_n = |column: usize| record.get(column).is_some_and(|name| plain(name) == "n");
-    let has_northings = found.iter().enumerate().any(|(column, is)| *is == Some(Column::Y) && !is_n(column));
-    if is_n(0) && has_northings && found[0] == Some(Column::Y) && !found.contains(&Some(Column::Name)) {
-        found[0] = Some(Column::Name);
-    }
-    let of_axis = |axis: &str| -> Vec<usize> {
-        let is_of = |name: &str| ERRORS.iter().any(|word| name.strip_prefix(word) == Some(axis) || name.strip_suffix(word) == Some(axis));
-        let name = |column: &usize| record.get(*column).map(plain).unwrap_or_default();
-        (0..found.len()).filter(|column| found[*column].is_none() && named_in_metres(record, *column) && is_of(&name(column))).collect()
-    };
-    let (of_h, of_v) = (of_axis("h"), of_axis("v"));
-    // Beside one of the vertical, as `HRMS` and `VRMS`, it is the horizontal.
-    let beside_both =
-        found.contains(&Some(Column::ErrorX)) && found.contains(&Some(Column::ErrorY)) && !found.contains(&Some(Column::ErrorUp));
-    let (h_is, v_is) = match () {
-        () if !of_v.is_empty() && !of_h.is_empty() => (Some(Column::ErrorAcross), Some(Column::ErrorUp)),
-        () if beside_both => (Some(Column::ErrorUp), None),
-        () => (None, None),
-    };
-    of_h.into_iter().for_each(|column| found[column] = h_is);
-    of_v.into_iter().for_each(|column| found[column] = v_is);
-    found
-}
-
-/// Whether the name of a column has no unit or one of length.
-fn named_in_metres(record: &StringRecord, column: usize) -> bool {
-    record.get(column).is_some_and(|name| named(name).1 != Some(Unit::Degrees))
 }
 
 /// The columns of a table: of the name, of x, y, z, of the standard errors of the place (of which the larger one counts) and of the height.
@@ -296,6 +38,8 @@ pub(super) struct Columns {
     pub sigma_px: Option<usize>,
     /// Whether x and y are named as longitude and latitude.
     pub is_geographic: bool,
+    /// Of the hemispheres of these.
+    pub sides: [Option<usize>; 2],
 }
 
 impl Default for Columns {
@@ -309,6 +53,7 @@ impl Default for Columns {
             uses: Uses::default(),
             sigma_px: None,
             is_geographic: false,
+            sides: [None; 2],
         }
     }
 }
@@ -335,18 +80,23 @@ impl<'a> Layout<'a> {
         let Headed { names, rows, misplaced } = records.headed(needed, &units())?;
         if let Some(names) = names {
             let columns = Columns::named_by(&names, needed(&names), rows)?;
-            columns.numbers().check_thousands(records, rows)?;
-            columns.numbers().check(records, rows)?;
+            let numbers = columns.numbers(names.len());
+            numbers.check_thousands(records, rows)?;
+            numbers.check(records, rows)?;
             return Ok(Self { columns, names: Some(names), rows });
         }
         SystemLine::refuse_in(records)?;
         let has_number = |record: &StringRecord, column: usize| record.get(column).is_some_and(|field| records.number(field).is_some());
         // Of points that were not surveyed yet the coordinates are empty.
         let first = || rows.iter().map(|(_, record)| record).find(|record| !Columns::default().lacks_coordinates(record));
-        let is_in_order = misplaced.is_none() && first().is_none_or(|first| (1..4).all(|column| has_number(first, column)));
+        // A name with decimals, and a height without any, are rather a coordinate and a name.
+        let has_decimals = |record: &StringRecord, column: usize| has_number(record, column) && record[column].contains(['.', ',']);
+        let is_shifted = |record: &StringRecord| has_decimals(record, 0) && has_number(record, 3) && !has_decimals(record, 3);
+        let are_shifted = !rows.is_empty() && rows.iter().all(|(_, record)| is_shifted(record));
+        let is_in_order = misplaced.is_none() && !are_shifted && first().is_none_or(|first| (1..4).all(|column| has_number(first, column)));
         if is_in_order {
             let columns = Columns { standard_errors: errors_in_order(records)?, ..Columns::default() };
-            columns.numbers().check_thousands(records, rows)?;
+            columns.numbers(0).check_thousands(records, rows)?;
             return Ok(Self { columns, names: None, rows });
         }
         let shown = misplaced.as_ref().or_else(|| records.likely_head(needed));
@@ -355,16 +105,16 @@ impl<'a> Layout<'a> {
         if let Some(names) = shown {
             check_unit(records, names, column)?;
         }
-        let known = NAMES.iter().find(|(of, _)| *of == column).map_or("", |(_, known)| known);
         let names = shown.map_or_else(String::new, |names| records.shown(names));
-        refuse(Refusal::ControlColumn { column: name.into(), known: others(known), names })
+        refuse(Refusal::ControlColumn { column: name.into(), known: others(names_of(column)), names })
     }
 }
 
-/// The column that holds this, of several the one whose name stands first among those for it.
+/// The column that holds this, of several the one whose name stands first among those for it; of heights one above the ellipsoid last.
 fn place(names: &StringRecord, meanings: &[Option<Column>], wanted: Column) -> Option<usize> {
     let rank = |column: usize| names.get(column).and_then(meaning_of).map_or(usize::MAX, |(_, rank)| rank);
-    (0..meanings.len()).filter(|k| meanings[*k] == Some(wanted)).min_by_key(|column| (rank(*column), *column))
+    let is_last = |column: usize| wanted == Column::Z && names.get(column).and_then(is_ellipsoidal) == Some(true);
+    (0..meanings.len()).filter(|k| meanings[*k] == Some(wanted)).min_by_key(|column| (is_last(*column), rank(*column), *column))
 }
 
 /// The columns of x and y that are named in one way: by words of the plane, by letters, or as longitude and latitude.
@@ -403,6 +153,8 @@ impl Columns {
         }
         let unit_m = |column: usize| names.get(column).map_or(1.0, unit_m);
         let [name, x, y, z] = needed.map(|column| column.unwrap_or(0));
+        let is_of_degrees = |column: usize| names.get(column).is_some_and(|name| coordinates_of(name) == Coordinates::Geographic);
+        let is_geographic = [x, y].into_iter().all(is_of_degrees);
         Ok(Self {
             name,
             position: [x, y, z],
@@ -410,9 +162,8 @@ impl Columns {
             error_units_m: standard_errors.map_or([1.0; 3], |([x, y], z)| [x, y, z].map(unit_m)),
             uses: Uses::of(rows, place(Column::Use), place(Column::Kind), place(Column::Enabled)),
             sigma_px: place(Column::ErrorPx),
-            is_geographic: [x, y]
-                .into_iter()
-                .all(|column| names.get(column).is_some_and(|name| coordinates_of(name) == Coordinates::Geographic)),
+            is_geographic,
+            sides: [Axis::Longitude, Axis::Latitude].map(|axis| side_column(names, axis).filter(|_| is_geographic)),
         })
     }
 
@@ -421,18 +172,21 @@ impl Columns {
         self.position.into_iter().all(|column| record.get(column).is_some_and(is_none))
     }
 
-    /// Its numbers, and what is none.
-    fn numbers(&self) -> NumberColumns {
+    /// Its numbers, and what is none. `named`: so many columns a line names.
+    fn numbers(&self, named: usize) -> NumberColumns {
         let errors = self.standard_errors.into_iter().flat_map(|([x, y], z)| [x, y, z]).zip(self.error_units_m);
         let texts = [Some(self.name), self.uses.role, self.uses.enabled].into_iter().flatten();
         let read = self.position.into_iter().chain(self.sigma_px);
-        NumberColumns { read: read.collect(), errors: errors.collect(), texts: texts.collect() }
+        // Nobody surveys a point to a degree.
+        let named = Some(named).filter(|_| !self.is_geographic);
+        let height = Some(self.position[2]);
+        NumberColumns { read: read.collect(), height, errors: errors.collect(), texts: texts.collect(), named }
     }
 
     /// The columns that are read.
     pub fn read(&self) -> BTreeSet<usize> {
         let errors = self.standard_errors.into_iter().flat_map(|([x, y], z)| [x, y, z]);
-        let uses = [self.uses.role, self.uses.enabled, self.sigma_px].into_iter().flatten();
+        let uses = [self.uses.role, self.uses.enabled, self.sigma_px].into_iter().chain(self.sides).flatten();
         self.position.into_iter().chain([self.name]).chain(errors).chain(uses).collect()
     }
 

@@ -6,12 +6,14 @@ use super::marks::{ImageMeasurementRow, image_measurement_table, parse_image_mea
 use super::positions::parse_image_positions;
 use crate::ControlRole;
 
-fn first(text: &str) -> (String, [f64; 3], Option<[f64; 2]>) {
+/// Name, position and standard errors of the first point.
+pub(super) fn first(text: &str) -> (String, [f64; 3], Option<[f64; 2]>) {
     let point = parse_ground_control_points(text).unwrap_or_else(|error| panic!("{text}: {error}")).remove(0);
     (point.name, point.position, point.standard_errors)
 }
 
-fn message(text: &str) -> String {
+/// Why a table of points is refused.
+pub(super) fn message(text: &str) -> String {
     parse_ground_control_points(text).unwrap_err().to_string()
 }
 
@@ -213,17 +215,25 @@ fn decimal_commas_do_not_hide_in_named_columns_that_are_left_over() {
     for text in [
         "name,x,y,z,sigma_xy,sigma_z,code\nA,428374,069,5316020,123,104,5\n",
         "name,x,y,z,sigma_xy,sigma_z\nA,428374,5,5316020,123,104\n",
+        "name,x,y,z,date,remark,crew\nA,428374,5,5316020,123,104\n",
         "name,x,y,z,date,remark\nA,428374,5,5316020,123,104\n",
+        "name,longitude,latitude,z,code,crew\nA,8,25,50,5,104\n",
         "name,x,y,z\nA,428374,069,5316020\n",
         "A,428374,069,5316020\n",
     ] {
         assert!(message(text).contains("may be meant as decimal commas"), "{text}: {}", message(text));
     }
-    assert!(marks_message("image,point,x,y,error,size\na.jpg,P1,10,5,20,25\n").contains("may be meant as decimal commas"));
+    assert!(marks_message("image,point,x,y,error,size,note\na.jpg,P1,10,5,20,25\n").contains("may be meant as decimal commas"));
     // The message names what makes whole numbers certain.
-    let certain = "name,x,y,z,date\nA,428374,5316020,104,5\n";
+    let certain = "name,x,y,z,date,crew\nA,428374,5316020,104,5\n";
     assert!(message(certain).contains("(1024.0 for 1024)"), "{}", message(certain));
     assert_eq!(first(&certain.replace("104", "104.0")).1, [428_374.0, 5_316_020.0, 104.0]);
+    // With decimals rows would have more fields than names.
+    let full = "name,x,y,z,date\nA,428374,5316020,104,5\nB,428474,5316120,105,\n";
+    assert_eq!(first(full).1, [428_374.0, 5_316_020.0, 104.0]);
+    assert!(message(&full.replace("105,", "105")).contains("may be meant as decimal commas"));
+    let boxes = "image,marker,x,y,w,h\na.jpg,1,100,200,40,40\n";
+    assert_eq!(parse_image_measurements(boxes).unwrap()[0].x_px, 100.0);
     // Tables of whole numbers have as many as are read, and a point anywhere shows that commas are none.
     assert_eq!(first("name,x,y,z\nA,428374,5316020,104\n").1, [428_374.0, 5_316_020.0, 104.0]);
     assert_eq!(first("name,x,y,z,sigma_xy,sigma_z,code\nA,428374,5316020,104,1,2,TP\n").2, Some([1.0, 2.0]));

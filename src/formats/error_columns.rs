@@ -4,6 +4,16 @@ use super::column_units::named;
 use crate::text::shorten;
 use csv::StringRecord;
 
+/// Standard errors from here on, in m, may be something else in columns without a name: angles, dilutions of precision, numbers of satellites, codes.
+const CERTAIN_BELOW_M: f64 = 1.0;
+
+/// Whether the numbers of a column without a name can be standard errors in m: above 0 and up to `most_m`, and the same in all rows, as programs state them
+/// that know no better, or all of them small.
+pub(super) fn can_be_errors(numbers: &[f64], most_m: f64) -> bool {
+    let is_one = numbers.windows(2).all(|pair| pair[0] == pair[1]);
+    numbers.iter().all(|number| *number > 0.0 && *number <= most_m && (is_one || *number < CERTAIN_BELOW_M))
+}
+
 /// The names of these columns, or `#5` for the fifth of a table that names none.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct ErrorColumns {
@@ -24,6 +34,12 @@ impl ErrorColumns {
         // Where one of two says its unit, so does the line.
         let across: Option<Vec<String>> = across.into_iter().map(name).collect();
         Self { across: across.unwrap_or_default(), up: up.and_then(name).into_iter().collect() }
+    }
+
+    /// The columns of a table that names none, where their numbers may be something else. `errors`: those of its rows, of place and height.
+    pub fn unnamed(&self, head: Option<&StringRecord>, errors: impl IntoIterator<Item = [Option<f64>; 2]>) -> Vec<String> {
+        let is_large = errors.into_iter().flatten().flatten().any(|error| error >= CERTAIN_BELOW_M);
+        if head.is_none() && is_large { self.names() } else { Vec::new() }
     }
 
     /// Each once.

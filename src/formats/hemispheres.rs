@@ -28,6 +28,11 @@ impl Axis {
         self.sides().iter().position(|words| words.contains(&word.as_str())).map(|side| side == 1)
     }
 
+    /// A number on the side that a column of its own says; `None` for any other word, and where the sign of the number says the other side.
+    pub fn on_side(self, number: f64, word: &str) -> Option<f64> {
+        on_side(number, self.is_negative(word)?)
+    }
+
     /// A coordinate with its side, if any, in the field itself. `number` reads one without. `None` where it is none, and where its sign contradicts its side.
     pub fn read(self, field: &str, number: impl Fn(&str) -> Option<f64>) -> Option<f64> {
         if let Some(plain) = number(field) {
@@ -49,7 +54,7 @@ impl Axis {
 }
 
 /// A number on a side; `None` where its sign says the other one.
-pub(super) fn on_side(number: f64, is_negative: bool) -> Option<f64> {
+fn on_side(number: f64, is_negative: bool) -> Option<f64> {
     match is_negative {
         true => Some(-number.abs()),
         false => Some(number).filter(|number| *number >= 0.0),

@@ -1,6 +1,7 @@
 //! Reading where images show surveyed points.
 
-use super::columns::{IMAGES, letters, others, without_unit};
+use super::column_units::is_of_other_unit;
+use super::columns::{IMAGES, UnreadColumns, letters, others, without_unit};
 use super::system_line::SystemLine;
 use super::whole_numbers::{NumberColumns, has_leading_zero};
 use crate::error::refuse;
@@ -30,7 +31,7 @@ pub struct ImageMeasurementRow {
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line: for a name that is missing, a number that is none, and a point twice in an image; for a first line or a
-/// comment above it that names some columns elsewhere than in that order and not all; for fields that may be parts of numbers with decimal commas.
+/// comment above it that names some columns elsewhere than in that order and not all, or places in another unit than px; for fields that may be parts of numbers with decimal commas.
 ///
 /// # Source
 /// The columns of the table of marks of Pix4D.
@@ -38,7 +39,7 @@ pub fn parse_image_measurements(text: &str) -> Result<Vec<ImageMeasurementRow>, 
     let mut seen = BTreeSet::new();
     let mut marks = Vec::new();
     let records = records(Input::MarkTable, text)?;
-    let ([of_image, of_point, of_x, of_y], rows) = columns_of(&records)?;
+    let Layout { columns: [of_image, of_point, of_x, of_y], rows, .. } = Layout::of(&records)?;
     for (line, record) in rows {
         let (field, line) = (|column: usize| record.get(column).unwrap_or(""), *line);
         let (image, point) = (field(of_image).to_string(), field(of_point).to_string());
@@ -54,6 +55,16 @@ pub fn parse_image_measurements(text: &str) -> Result<Vec<ImageMeasurementRow>, 
         marks.push(ImageMeasurementRow { image, point, x_px, y_px });
     }
     Ok(marks)
+}
+
+/// Columns of the table that are not read.
+///
+/// # Errors
+/// As [`parse_image_measurements`].
+pub(crate) fn unread_mark_columns(text: &str) -> Result<Vec<String>, Error> {
+    let records = records(Input::MarkTable, text)?;
+    let Layout { columns, names, rows } = Layout::of(&records)?;
+    Ok(UnreadColumns::of(rows, names.as_ref(), &columns.into(), |_| None).unknown)
 }
 
 /// Where image, point, x and y stand without names.
@@ -92,31 +103,56 @@ fn of_pixels(name: &str, unit: Option<&str>) -> (String, bool) {
     (name, is_of_pixels)
 }
 
-/// Where image, point, x and y stand, and the rows that have them.
-fn columns_of(records: &Records) -> Result<([usize; 4], &[NumberedRecord]), Error> {
-    let Headed { names, rows, misplaced } = records.headed(find, &UNITS)?;
-    if let Some([Some(image), Some(point), Some(x), Some(y)]) = names.as_ref().map(find) {
-        NumberColumns { read: vec![x, y], errors: Vec::new(), texts: vec![image, point] }.check(records, rows)?;
-        return Ok(([image, point, x, y], rows));
+/// Where image, point, x and y stand, what names the columns, and the rows.
+struct Layout<'a> {
+    columns: [usize; 4],
+    names: Option<StringRecord>,
+    rows: &'a [NumberedRecord],
+}
+
+impl<'a> Layout<'a> {
+    fn of(records: &'a Records) -> Result<Self, Error> {
+        let Headed { names, rows, misplaced } = records.headed(find, &UNITS)?;
+        let numbers = |[image, point, x, y]: [usize; 4], named: usize| NumberColumns {
+            read: vec![x, y],
+            height: None,
+            errors: Vec::new(),
+            texts: vec![image, point],
+            named: Some(named),
+        };
+        if let Some((names, [Some(image), Some(point), Some(x), Some(y)])) = names.map(|names| (names.clone(), find(&names))) {
+            let columns = [image, point, x, y];
+            let numbers = numbers(columns, names.len());
+            numbers.check_thousands(records, rows)?;
+            numbers.check(records, rows)?;
+            return Ok(Self { columns, names: Some(names), rows });
+        }
+        SystemLine::refuse_in(records)?;
+        let missing = |names: &StringRecord| {
+            let missing = find(names).iter().position(Option::is_none).unwrap_or(0);
+            let column = NAMES[missing].split(' ').next().unwrap_or("").into();
+            refuse(Refusal::MeasuredColumn { column, known: others(NAMES[missing]), names: records.shown(names) })
+        };
+        if let Some(names) = &misplaced {
+            return missing(names);
+        }
+        let Some((_, first)) = rows.first() else { return Ok(Self { columns: IN_ORDER, names: None, rows }) };
+        // Images and points may have names of columns; a number with a slip is no name.
+        let is_word =
+            |column: usize| first.get(column).is_some_and(|field| !field.is_empty() && !field.contains(|c: char| c.is_ascii_digit()));
+        let has_names = [2, 3].into_iter().all(is_word);
+        if !has_names {
+            check_fields(records)?;
+        } else if let Some(name) = [2, 3].into_iter().filter_map(|column| first.get(column)).find(|name| is_of_other_unit(name, &UNITS)) {
+            let (input, column, units) = (records.input(), shorten(name), UNITS[0].into());
+            return refuse(Refusal::ColumnUnit { input, column, units, degrees: false });
+        } else if !find(first).iter().zip(IN_ORDER).all(|(found, place)| found.is_none_or(|column| column == place)) {
+            return missing(first);
+        }
+        let rows = &rows[usize::from(has_names)..];
+        numbers(IN_ORDER, 0).check_thousands(records, rows)?;
+        Ok(Self { columns: IN_ORDER, names: Some(first.clone()).filter(|_| has_names), rows })
     }
-    SystemLine::refuse_in(records)?;
-    let missing = |names: &StringRecord| {
-        let missing = find(names).iter().position(Option::is_none).unwrap_or(0);
-        let column = NAMES[missing].split(' ').next().unwrap_or("").into();
-        refuse(Refusal::MeasuredColumn { column, known: others(NAMES[missing]), names: records.shown(names) })
-    };
-    if let Some(names) = &misplaced {
-        return missing(names);
-    }
-    let Some((_, first)) = rows.first() else { return Ok((IN_ORDER, rows)) };
-    // Images and points may have names of columns; a number with a slip is no name.
-    let is_word = |column: usize| first.get(column).is_some_and(|field| !field.is_empty() && !field.contains(|c: char| c.is_ascii_digit()));
-    if ![2, 3].into_iter().all(is_word) {
-        check_fields(records)?;
-        return Ok((IN_ORDER, rows));
-    }
-    let is_in_order = find(first).iter().zip(IN_ORDER).all(|(found, place)| found.is_none_or(|column| column == place));
-    if is_in_order { Ok((IN_ORDER, &rows[1..])) } else { missing(first) }
 }
 
 /// Refuses rows without names whose commas may be decimal commas, with more than two whole numbers behind image and point; and more words between blanks,

@@ -10,6 +10,7 @@ mod cameras;
 mod colmap_features;
 mod colmap_read;
 mod colmap_write;
+mod column_names;
 mod column_units;
 mod columns;
 mod control;
@@ -30,8 +31,11 @@ mod nvm;
 mod opensfm;
 mod patb;
 mod position_columns;
+#[cfg(test)]
+mod position_forms;
 mod positions;
 mod quaternion;
+mod side_columns;
 mod sight;
 mod system_line;
 #[cfg(test)]
@@ -47,12 +51,14 @@ pub use colmap_read::read_colmap_model;
 pub(crate) use columns::{LENGTHS, UnreadColumns};
 pub use control::{GroundControlRow, parse_ground_control_points};
 pub(crate) use control::{
-    StatedUnit, control_system, error_columns, ground_control_table, points_without_coordinates, stated_units, unread_columns,
+    StatedUnit, control_system, error_columns, ground_control_table, points_without_coordinates, stated_units, unnamed_errors,
+    unread_columns,
 };
 pub(crate) use csv_tables::{images_table, points_table, rays_table};
 pub(crate) use error_columns::ErrorColumns;
 pub use export::{ExportFormat, export_block};
 pub(crate) use marks::image_measurement_table;
+pub(crate) use marks::unread_mark_columns;
 pub use marks::{ImageMeasurementRow, parse_image_measurements};
 pub use positions::{ImagePositionRow, ImagePositions, parse_image_positions};
 pub(crate) use positions::{PositionHead, position_head};

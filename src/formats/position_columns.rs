@@ -1,13 +1,13 @@
 //! What the columns of a table of image positions hold, by their names or by their order.
 
+use super::column_names::{Column, Coordinates, coordinates_of, is_ellipsoidal, looks_like_height, meaning_of, meanings, names_of};
 use super::column_units::unit_m;
 use super::columns::{IMAGES, UnreadColumns, letters, others, without_unit};
 use super::control::StatedUnit;
-use super::control_columns::{
-    Column, Coordinates, check_unit, coordinates_of, is_ellipsoidal, looks_like_height, meaning_of, meanings, names_of,
-};
-use super::error_columns::ErrorColumns;
+use super::control_columns::check_unit;
+use super::error_columns::{ErrorColumns, can_be_errors};
 use super::hemispheres::Axis;
+use super::side_columns::{is_side_of, side_column};
 use super::whole_numbers::NumberColumns;
 use crate::error::refuse;
 use crate::text::{NumberedRecord, Records, filled, is_none, shorten};
@@ -40,20 +40,19 @@ pub(super) struct PositionColumns {
 
 impl PositionColumns {
     /// The columns of rows without names. `coordinates`: what x and y are, where the table says its system. Standard errors stand behind the height where nothing
-    /// follows them, or behind three angles, and only where all of them can be some.
+    /// follows them, or behind three angles, and only where all of them can be some. Below a line with a system, as OpenDroneMap has it, angles stand first.
     pub fn in_order(records: &Records, coordinates: Option<Coordinates>) -> Self {
         let width = records.rows.iter().map(|(_, record)| filled(record)).max().unwrap_or(0);
         let errors = match width {
-            6 => Some(4),
+            6 if coordinates.is_none() => Some(4),
             9 => Some(7),
             _ => None,
         };
+        let given = |column: usize| records.rows.iter().filter_map(move |(_, record)| record.get(column).filter(|field| !is_none(field)));
+        let numbers = |column: usize| given(column).map(|field| records.number(field)).collect::<Option<Vec<f64>>>();
         // Angles and words stand there, too.
-        let is_error = |field: &str| is_none(field) || records.number(field).is_some_and(|error| error > 0.0 && error <= MOST_ERROR_M);
-        let are_errors = |column: &usize| {
-            records.rows.iter().all(|(_, record)| [*column, column + 1].iter().all(|column| record.get(*column).is_none_or(is_error)))
-        };
-        let errors = errors.filter(are_errors);
+        let are_errors = |column: usize| numbers(column).is_some_and(|numbers| can_be_errors(&numbers, MOST_ERROR_M));
+        let errors = errors.filter(|column| are_errors(*column) && are_errors(column + 1));
         Self {
             image: 0,
             place: [1, 2],
@@ -74,7 +73,7 @@ impl PositionColumns {
     }
 
     /// The columns that a line names. Longitudes and latitudes are read where there are others beside them, with the height above the ellipsoid.
-    pub fn named_by(records: &Records, head: &StringRecord) -> Result<Self, Error> {
+    pub fn named_by(records: &Records, head: &StringRecord, rows: &[NumberedRecord]) -> Result<Self, Error> {
         let meanings = meanings(head);
         let name = |column: usize| head.get(column).unwrap_or("");
         let rank = |column: usize| meaning_of(name(column)).map_or(usize::MAX, |(_, rank)| rank);
@@ -110,15 +109,18 @@ impl PositionColumns {
                 (*x, *y, Coordinates::Plane)
             }
         };
-        let heights = all(Column::Z);
-        let height = match coordinates {
-            Coordinates::Plane => heights.first().copied(),
-            _ => {
-                let above_ellipsoid = |column: &&usize| is_ellipsoidal(name(**column)) == Some(true);
-                let open = |column: &&usize| is_ellipsoidal(name(**column)).is_none();
-                heights.iter().find(above_ellipsoid).or_else(|| heights.iter().find(open)).copied()
-            }
+        // Names that leave it open are of degrees where all places can be.
+        let coordinates = match coordinates {
+            Coordinates::Either if rows.iter().all(|(_, record)| may_be_degrees(records, record, [x, y])) => Coordinates::Geographic,
+            Coordinates::Either => Coordinates::Plane,
+            certain => certain,
         };
+        let heights = all(Column::Z);
+        let surfaces = match coordinates {
+            Coordinates::Plane => [Some(false), None, Some(true)].as_slice(),
+            _ => &[Some(true), None],
+        };
+        let height = surfaces.iter().find_map(|surface| heights.iter().copied().find(|height| is_ellipsoidal(name(*height)) == *surface));
         let is_of_degrees = coordinates == Coordinates::Geographic;
         let sides = [
             side_column(head, Axis::Longitude).filter(|_| is_of_degrees),
@@ -136,13 +138,16 @@ impl PositionColumns {
     }
 
     /// Its numbers, and what is none. Standard errors beside whole degrees are rather halves of these.
-    pub fn numbers(&self) -> NumberColumns {
+    pub fn numbers(&self, named: usize) -> NumberColumns {
         let is_of_degrees = self.coordinates == Some(Coordinates::Geographic);
         let [unit_x, unit_y, unit_up] = self.error_units_m;
         let across = self.across.into_iter().flatten().zip([unit_x, unit_y]);
         let errors = across.chain(self.up.map(|up| (up, unit_up))).filter(|_| !is_of_degrees);
         let texts = self.sides.into_iter().flatten().chain([self.image]);
-        NumberColumns { read: self.place.into_iter().chain(self.height).collect(), errors: errors.collect(), texts: texts.collect() }
+        // Nobody measures where an image was taken to a degree.
+        let named = Some(named).filter(|_| !is_of_degrees);
+        let read = self.place.into_iter().chain(self.height);
+        NumberColumns { read: read.collect(), height: self.height, errors: errors.collect(), texts: texts.collect(), named }
     }
 
     /// The columns of some rows that are not read. `head`: the line of names, where there is one.
@@ -191,38 +196,13 @@ fn image_column(head: &StringRecord) -> Option<usize> {
     IMAGES.split(' ').chain(FURTHER.split(' ')).find_map(|name| plain.iter().position(|column| column == name))
 }
 
-/// The column of the side of a coordinate, where a line names one: `GPSLatitudeRef`, `Latitude hemisphere` or `N/S`.
-fn side_column(head: &StringRecord, axis: Axis) -> Option<usize> {
-    let letters_of_sides = match axis {
-        Axis::Longitude => "e/w",
-        Axis::Latitude => "n/s",
-        Axis::Height => "",
-    };
-    let wanted = match axis {
-        Axis::Longitude => Column::X,
-        Axis::Latitude => Column::Y,
-        Axis::Height => Column::Z,
-    };
-    head.iter().position(|name| {
-        let is_of_axis =
-            |of: &str| coordinates_of(of) == Coordinates::Geographic && meaning_of(of).is_some_and(|(column, _)| column == wanted);
-        match side_of(name) {
-            // Other references of heights are surfaces.
-            Some(of) if axis == Axis::Height => of.ends_with("altitude"),
-            Some(of) => is_of_axis(&of),
-            None => name.trim().to_lowercase() == letters_of_sides,
-        }
-    })
+/// Whether the numbers in these columns of a row, as far as it has any, can be longitude and latitude.
+fn may_be_degrees(records: &Records, record: &StringRecord, [x, y]: [usize; 2]) -> bool {
+    let read = |axis: Axis, column: usize| axis.read(record.get(column).unwrap_or(""), |text| records.number(text)).unwrap_or(0.0);
+    is_on_earth([read(Axis::Longitude, x), read(Axis::Latitude, y)])
 }
 
-/// The coordinate whose side a name says, in letters.
-fn side_of(name: &str) -> Option<String> {
-    let plain = letters(&without_unit(name, &[]).0);
-    ["ref", "hemisphere", "hem"].iter().find_map(|word| plain.strip_suffix(word).map(String::from))
-}
-
-/// Whether the side that a name says is that of this coordinate.
-fn is_side_of(name: &str, coordinate: &str) -> bool {
-    let plain = letters(&without_unit(coordinate, &["m"]).0);
-    side_of(name).is_some_and(|of| of.ends_with(&plain) || plain.ends_with(&of))
+/// Whether a place can be longitude and latitude in degrees.
+pub(super) fn is_on_earth([longitude_deg, latitude_deg]: [f64; 2]) -> bool {
+    longitude_deg.abs() <= 180.0 && latitude_deg.abs() <= 90.0
 }

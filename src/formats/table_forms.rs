@@ -1,21 +1,10 @@
 //! Tests: tables whose names of columns, codes and empty cells are those of further programs.
 
-use super::control::{parse_ground_control_points, points_without_coordinates, unread_columns};
-use super::marks::parse_image_measurements;
-use super::positions::{ImagePositions, parse_image_positions, position_head};
-
-fn first(text: &str) -> (String, [f64; 3], Option<[f64; 2]>) {
-    let point = parse_ground_control_points(text).unwrap_or_else(|error| panic!("{text}: {error}")).remove(0);
-    (point.name, point.position, point.standard_errors)
-}
-
-fn message(text: &str) -> String {
-    parse_ground_control_points(text).unwrap_err().to_string()
-}
-
-fn positions(text: &str) -> ImagePositions {
-    parse_image_positions(text).unwrap_or_else(|error| panic!("{text}: {error}"))
-}
+use super::control::{parse_ground_control_points, points_without_coordinates, unnamed_errors, unread_columns};
+use super::control_forms::{first, message};
+use super::marks::{parse_image_measurements, unread_mark_columns};
+use super::position_forms::read as positions;
+use super::positions::{parse_image_positions, position_head};
 
 #[test]
 fn commas_of_codes_and_notes_say_nothing_of_those_of_coordinates() {
@@ -163,4 +152,121 @@ fn heights_on_an_unknown_side_of_sea_level_are_left_out_and_counted() {
     let text = format!("{head}a.jpg,50.5,8.25,171.5,2\nb.jpg,50.5,8.25,3,Negative Sea Level (sea-level ref)\nc.jpg,50.5,8.25,3,4\n");
     assert_eq!(positions(&text).rows.iter().map(|row| row.height).collect::<Vec<_>>(), [Some(171.5), Some(-3.0), None]);
     assert_eq!(position_head(&text).unwrap().unread_height, Some(("GPSAltitudeRef".into(), 1)));
+}
+
+#[test]
+fn hemispheres_of_points_stand_in_columns_of_their_own_too() {
+    let head = "name,GPSLatitude,GPSLatitudeRef,GPSLongitude,GPSLongitudeRef,height\n";
+    let south = format!("{head}A,33.5,S,8.25,West,3\n");
+    assert_eq!(first(&south).1, [-8.25, -33.5, 3.0]);
+    assert!(unread_columns(&south).unwrap().unknown.is_empty());
+    assert!(message(&format!("{head}A,-33.5,N,8.25,E,3\n")).contains("'-33.5 N' for y in line 2"));
+    assert!(message(&format!("{head}A,33.5,S,8.25,,3\n")).contains("'8.25 ' for x in line 2"));
+}
+
+#[test]
+fn standard_errors_are_of_any_coordinate_by_any_of_its_names() {
+    let named = |head: &str| first(&format!("Name,{head}\nP1,8.5,50.5,152,0.01,0.02,0.03\n")).2;
+    for head in [
+        "Longitude,Latitude,Ellipsoidal height,Longitude RMS,Latitude RMS,Ellipsoidal height RMS",
+        "X/Easting,Y/Northing,Z/Altitude,X/Easting_Accuracy_(m),Y/Northing_Accuracy_(m),Z/Altitude_Accuracy_(m)",
+        "GPSLongitude,GPSLatitude,AbsoluteAltitude,RtkStdLon,RtkStdLat,RtkStdHgt",
+        "x,y,z,sigma (x),sigma [y],sigma (z)",
+    ] {
+        assert_eq!(named(head), Some([0.02, 0.03]), "{head}");
+    }
+    for head in [
+        "Précision horizontale (m);Précision verticale (m)",
+        "Ecart type planimétrique;Ecart type altimétrique",
+        "σ_xy;σ_z",
+        "Horiz. Prec.;Vert. Prec.",
+    ] {
+        assert_eq!(first(&format!("name;x;y;z;{head}\nA;1,5;2,5;3,5;0,02;0,03\n")).2, Some([0.02, 0.03]), "{head}");
+    }
+    // Estimates of Metashape are no coordinates to the east.
+    let estimated = "#Label,X/Easting,Y/Northing,Z/Altitude,X_est,Y_est,Z_est\nP1,1.5,2,3,4,5,6\n";
+    assert_eq!(unread_columns(estimated).unwrap().unknown, ["X_est", "Y_est", "Z_est"]);
+}
+
+#[test]
+fn heights_above_the_sea_are_none_of_longitudes_and_latitudes() {
+    for name in ["Elevation (NAVD88)", "Höhe [m NHN]", "NN-Höhe", "Altitude (m MSL)", "alt_msl", "Altitude above sea level"] {
+        let of = |place: &str| format!("image,{place},{name}\na.jpg,8.25,50.5,171.5\n");
+        let geographic = of("lon,lat");
+        assert_eq!(positions(&geographic).rows[0].height, None, "{name}");
+        assert_eq!(position_head(&geographic).unwrap().unread_height, Some((name.into(), 1)), "{name}");
+    }
+    let both = "image,lon,lat,Elevation (NAVD88),Ellip. Hgt.\na.jpg,8.25,50.5,124.5,171.5\n";
+    assert_eq!(positions(both).rows[0].height, Some(171.5));
+    assert_eq!(positions("image,x,y,orthometric height\na.jpg,446833.25,5594521.5,171.5\n").rows[0].height, Some(171.5));
+    assert_eq!(positions("image,x,y,orthometric height\na.jpg,8.25,50.5,171.5\n").rows[0].height, None);
+    let both = "image,easting,northing,H (ell.),H (NHN)\na.jpg,446833.25,5594521.5,171.5,124.5\n";
+    assert_eq!(positions(both).rows[0].height, Some(124.5));
+    // In a plane heights count from where those of its system do.
+    assert_eq!(positions("image,easting,northing,alt_msl\na.jpg,446833.25,5594521.5,171.5\n").rows[0].height, Some(171.5));
+    let above_ground = "image,lon,lat,alt_agl\na.jpg,8.25,50.5,60\n";
+    assert_eq!(position_head(above_ground).unwrap().unread_height, Some(("alt_agl".into(), 1)));
+}
+
+#[test]
+fn heads_of_further_languages_and_programs_are_known() {
+    for head in [
+        "Punktnr;Öst;Norr;Höjd",
+        "Punkt;E (SWEREF 99 TM);N (SWEREF 99 TM);Höjd (RH2000)",
+        "Matricule;X (L93);Y (L93);Z (IGN69)",
+        "Numéro;Est;Nord;Altitude NGF",
+        "Point ID;Grid Easting;Grid Northing;Elevation",
+        "Point Number;Easting;Northing;Point Elevation",
+        "Pkt;ETRS89_Ost;ETRS89_Nord;Höhe_NHN",
+        "Pkt;GK-Rechtswert;GK-Hochwert;NN-Höhe",
+        "name;WGS84 Longitude;WGS84 Latitude;WGS84 Ellip. Height",
+        "name;gps_lon;gps_lat;gps_alt",
+        "Pkt;Längengrad;Breitengrad;Ell. Höhe",
+    ] {
+        assert_eq!(first(&format!("{head}\n7;1,5;2,5;3,5\n")), ("7".into(), [1.5, 2.5, 3.5], None), "{head}");
+    }
+    for unknown in ["name;WGS84 X;WGS84 Y;WGS84 Z", "name;e;n;geoid height"] {
+        assert!(message(&format!("{unknown}\n7;1,5;2,5;3,5\n")).contains("neither a column"), "{unknown}");
+    }
+    for heights in ["H (ell.);H (NHN)", "H ell;H orth", "WGS84 Height;Elevation", "Alt_ell;Alt_msl"] {
+        assert_eq!(first(&format!("Pkt;E;N;{heights}\n7;1,5;2,5;50,5;3,5\n")).1, [1.5, 2.5, 3.5], "{heights}");
+    }
+    assert_eq!(first("Pkt;Y (GK M34);X (GK M34);H\n7;2,5;1,5;3,5\n").1, [1.5, 2.5, 3.5]);
+}
+
+#[test]
+fn coordinates_are_no_names() {
+    for text in ["446833.2,5594521.7,124.0,1\n446834.2,5594522.7,124.5,2\n", "446833,2;5594521,7;124,0;1\n"] {
+        assert!(message(text).contains("neither a column 'name'"), "{text}: {}", message(text));
+    }
+    assert_eq!(first("1.1,446833.2,5594521.7,124.5\n").0, "1.1");
+    assert_eq!(first("1.1,446833.2,5594521.7,124\nP2,446834.2,5594522.7,125\n").0, "1.1");
+}
+
+#[test]
+fn numbers_without_names_that_may_be_codes_are_named_where_they_are_read_as_standard_errors() {
+    assert_eq!(unnamed_errors("1,446833.2,5594521.7,124.0,3,2\n").unwrap(), ["#5", "#6"]);
+    for certain in
+        ["1,446833.2,5594521.7,124.0,0.02,0.03\n", "name,x,y,z,sigma_xy,sigma_z\n1,2.5,3,4,3,2\n", "1,446833.2,5594521.7,124.0\n"]
+    {
+        assert!(unnamed_errors(certain).unwrap().is_empty(), "{certain}");
+    }
+}
+
+#[test]
+fn image_measurements_are_in_px_and_their_other_columns_are_named() {
+    for (head, column) in [("x (mm),y (mm)", "x (mm)"), ("x_norm,y_norm", "x_norm"), ("x,y (up)", "y (up)"), ("x_mm,y_mm", "x_mm")] {
+        let refused = parse_image_measurements(&format!("image,point,{head}\na.jpg,P1,0.5,0.2\n")).unwrap_err().to_string();
+        assert!(refused.contains(&format!("the column '{column}', in a unit that is not known; allowed: px")), "{refused}");
+    }
+    let read = |text: &str| parse_image_measurements(text).unwrap()[0].x_px;
+    assert_eq!(read("Bild;Punkt;Bildkoordinate x;Bildkoordinate y\na.jpg;P1;100,5;200,5\n"), 100.5);
+    for thousands in ["image\tpoint\tx\ty\na.jpg\tP1\t1,024\t2,048\n", "a.jpg\tP1\t1,024\t2,048\n"] {
+        assert!(parse_image_measurements(thousands).unwrap_err().to_string().contains("whether commas"), "{thousands}");
+    }
+    assert_eq!(read("image\tpoint\tx\ty\na.jpg\tP1\t1,024\t2,04\n"), 1.024);
+    assert_eq!(unread_mark_columns("image,point,x,y,enabled,accuracy\na.jpg,P1,1.5,2,0,0.5\n").unwrap(), ["enabled", "accuracy"]);
+    assert_eq!(unread_mark_columns("image,Ziel,x,y,weight\na.jpg,P1,1.5,2,0\n").unwrap(), ["weight"]);
+    assert_eq!(unread_mark_columns("a.jpg,P1,1.5,2,7\n").unwrap(), ["#5"]);
+    assert!(unread_mark_columns("image,point,x,y\na.jpg,P1,1.5,2\n").unwrap().is_empty());
 }

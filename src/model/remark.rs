@@ -25,9 +25,16 @@ messages! {
         UnknownColumns { columns: Vec<String> },
         /// Columns of that table that give what another one gives, each with the one that is read in brackets.
         DoubledColumns { columns: Vec<String> },
+        /// Columns of that table without a name that are read as standard errors, and may be something else.
+        UnnamedErrors { columns: Vec<String> },
+        /// Columns of the table of image measurements that are not read.
+        UnknownMarkColumns { columns: Vec<String> },
         /// Columns of the table of image positions that are not read.
         UnknownPositionColumns { columns: Vec<String> },
-        /// A column of that table that speaks of heights and is not understood, for which so many of its positions have none.
+        /// Columns of that table without a name that are read as standard errors, and may be something else.
+        UnnamedPositionErrors { columns: Vec<String> },
+        /// A column of that table that speaks of heights and is not understood, or not of those above the ellipsoid beside longitudes and latitudes; so many of
+        /// its positions have none for that.
         PositionHeights { column: String, positions: usize },
         /// Columns of that table that give what another one gives, each with the one that is read in brackets.
         DoubledPositionColumns { columns: Vec<String> },

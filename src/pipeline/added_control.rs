@@ -1,7 +1,7 @@
 //! Surveyed points that edits by hand add to a block, as a table of ground control points would have them.
 
 use super::BlockRun;
-use super::control::control_point;
+use super::control_point::control_point;
 use crate::editing::in_edit;
 use crate::error::refuse;
 use crate::{BlockEdit, ControlRole, Error, GroundControlRow, Refusal, parse_ground_control_points};

@@ -1,16 +1,17 @@
 //! Ground control points with their image measurements, as the reconstruction takes them.
 
+use super::control_point::control_point;
 use super::named_images::NamedImages;
 use super::system::{check_stated_units, looks_like_degrees, system_of, units_of, with_unit};
-use crate::crs::{CoordinateSystem, Definition, HeightZero};
+use crate::crs::{Definition, HeightZero};
 use crate::error::refuse;
 use crate::formats::{
     ErrorColumns, StatedUnit, SystemLine, UnreadColumns, control_system, error_columns, points_without_coordinates, stated_units,
-    unread_columns,
+    unnamed_errors, unread_columns, unread_mark_columns,
 };
 use crate::{
     BlockDescription, ControlRole, Error, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
-    ImageObservation, Input, KnownCamera, KnownImage, ObservedPosition, Refusal, parse_ground_control_points, parse_image_measurements,
+    ImageObservation, Input, KnownCamera, KnownImage, Refusal, parse_ground_control_points, parse_image_measurements,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -27,6 +28,10 @@ pub struct ControlTables {
     marks: Vec<ImageMeasurementRow>,
     /// Columns of the points that are not read.
     pub(super) unread_columns: UnreadColumns,
+    /// Those without a name that are read as standard errors, and may be something else.
+    pub(super) unnamed_errors: Vec<String>,
+    /// Columns of the image measurements that are not read.
+    pub(super) unread_mark_columns: Vec<String>,
     /// Points of the table without any coordinate.
     pub(super) without_coordinates: Vec<String>,
     /// Units that columns of coordinates have in their names.
@@ -45,8 +50,19 @@ impl ControlTables {
     pub fn read(points: &str, marks: &str) -> Result<Self, Error> {
         let (unread_columns, stated_units, error_columns) = (unread_columns(points)?, stated_units(points)?, error_columns(points)?);
         let (without_coordinates, own_system) = (points_without_coordinates(points)?, control_system(points)?);
+        let (unnamed_errors, unread_mark_columns) = (unnamed_errors(points)?, unread_mark_columns(marks)?);
         let (points, marks) = (parse_ground_control_points(points)?, parse_image_measurements(marks)?);
-        Ok(Self { points, marks, unread_columns, without_coordinates, stated_units, error_columns, own_system })
+        Ok(Self {
+            points,
+            marks,
+            unread_columns,
+            unnamed_errors,
+            unread_mark_columns,
+            without_coordinates,
+            stated_units,
+            error_columns,
+            own_system,
+        })
     }
 
     /// Refuses, before the images are read, what a run of images with these names would refuse. Before there is a block, the images that the
@@ -194,34 +210,10 @@ impl ControlTables {
     }
 }
 
-/// In its coordinate system, where there is one, a point is one of the earth; its standard errors hold along the axes of either.
-pub(super) fn control_point(
-    point: &GroundControlRow,
-    role: ControlRole,
-    placing: &GeoreferencingOptions,
-    system: Option<&CoordinateSystem>,
-) -> Result<GroundControlPoint, Error> {
-    let [across, up] = point.standard_errors.unwrap_or([placing.surveyed_across_m, placing.surveyed_up_m]);
-    let sigma = [across, across, up];
-    let position = match system {
-        None => ObservedPosition::Local { position: point.position, sigma },
-        Some(system) => {
-            let [longitude_deg, latitude_deg, height_m] = on_earth(point, system)?;
-            ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height_m), sigma_m: sigma }
-        }
-    };
-    Ok(GroundControlPoint { name: point.name.clone(), position, role, sigma_px: point.sigma_px, measurements: Vec::new() })
-}
-
-fn on_earth(point: &GroundControlRow, system: &CoordinateSystem) -> Result<[f64; 3], Error> {
-    let ([x, y, _], degrees) = (point.position, system.definition().is_geographic());
-    let (name, crs) = (point.name.clone(), system.definition().name());
-    system.geographic(point.position).ok_or_else(|| Refusal::ControlPlace { point: name, x, y, crs, degrees }.into_error())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ObservedPosition;
 
     const POINTS: &str = "a,0,0,0\nb,100,0,0,0.5,0.7\nc,0,100,0\n";
 

@@ -9,6 +9,7 @@ mod cameras;
 mod carried_edits;
 mod carrying;
 mod control;
+mod control_point;
 mod edited;
 mod execute;
 mod fault;

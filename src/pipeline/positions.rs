@@ -157,6 +157,7 @@ impl PositionTable {
     /// What is to be said of the table beside images with these names: columns that are not understood, rows of other images.
     pub fn remarks(&self, images: &[String]) -> Vec<Remark> {
         let UnreadColumns { unknown, doubled } = self.head.unread.clone();
+        let unnamed = self.head.unnamed_errors.clone();
         let named = NamedImages::new(images);
         let rows = &self.positions.rows;
         // A row that means an image less surely than another one is of a file beside it.
@@ -170,6 +171,7 @@ impl PositionTable {
         let all = others.len() == rows.len() && nowhere.is_empty();
         let remarks = [
             (!unknown.is_empty()).then_some(Remark::UnknownPositionColumns { columns: unknown }),
+            (!unnamed.is_empty()).then_some(Remark::UnnamedPositionErrors { columns: unnamed }),
             self.head.unread_height.clone().map(|(column, positions)| Remark::PositionHeights { column, positions }),
             (!doubled.is_empty()).then_some(Remark::DoubledPositionColumns { columns: doubled }),
             (!others.is_empty()).then_some(Remark::PositionsOfOtherImages { images: others, all }),

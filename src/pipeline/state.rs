@@ -1,7 +1,8 @@
 //! What a run knows, from stage to stage.
 
 use super::cameras::{check_distortion, contradicted, doubtful};
-use super::control::{LEAST_CONTROL, control_point};
+use super::control::LEAST_CONTROL;
+use super::control_point::control_point;
 use super::input::{Checked, RunInput};
 use super::observed::observed_position;
 use super::system::{check_near, system_of, with_unit};
@@ -110,14 +111,18 @@ impl State {
         self.remarks.extend(self.input.unused_cameras.drain(..).map(|images| Remark::UnusedCamera { images }));
         if let Some(control) = &mut self.input.control {
             let UnreadColumns { unknown, doubled } = std::mem::take(&mut control.unread_columns);
-            self.remarks.extend(Some(unknown).filter(|columns| !columns.is_empty()).map(|columns| Remark::UnknownColumns { columns }));
-            self.remarks.extend(Some(doubled).filter(|columns| !columns.is_empty()).map(|columns| Remark::DoubledColumns { columns }));
-            let without = Some(control.without_coordinates.clone()).filter(|points| !points.is_empty());
-            self.remarks.extend(without.map(|points| Remark::PointsWithoutCoordinates { points }));
-            self.remarks
-                .extend(Some(control.unmeasured()).filter(|points| !points.is_empty()).map(|points| Remark::UnmeasuredPoints { points }));
-            self.remarks
-                .extend(Some(control.unknown_points()).filter(|points| !points.is_empty()).map(|points| Remark::UnknownPoints { points }));
+            let (unnamed, of_marks) = (std::mem::take(&mut control.unnamed_errors), std::mem::take(&mut control.unread_mark_columns));
+            type Of = fn(Vec<String>) -> Remark;
+            let remarks: [(Vec<String>, Of); 7] = [
+                (unknown, |columns| Remark::UnknownColumns { columns }),
+                (doubled, |columns| Remark::DoubledColumns { columns }),
+                (unnamed, |columns| Remark::UnnamedErrors { columns }),
+                (of_marks, |columns| Remark::UnknownMarkColumns { columns }),
+                (control.without_coordinates.clone(), |points| Remark::PointsWithoutCoordinates { points }),
+                (control.unmeasured(), |points| Remark::UnmeasuredPoints { points }),
+                (control.unknown_points(), |points| Remark::UnknownPoints { points }),
+            ];
+            self.remarks.extend(remarks.into_iter().filter(|(listed, _)| !listed.is_empty()).map(|(listed, remark)| remark(listed)));
         }
         self.remarks.extend(self.input.positions.iter().flat_map(|table| table.remarks(&self.input.images)));
         self.remarks.extend(doubtful(&self.cameras));

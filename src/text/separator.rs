@@ -18,7 +18,11 @@ pub(super) fn separator(text: &str) -> u8 {
     let with_slashes = lines(false).next().is_none();
     let of_lines = || lines(with_slashes).take(LOOKED_AT).map(|line| (of_line(line), line));
     let is_wide = |(separator, line): &(u8, &str)| *separator != b' ' && line.split(char::from(*separator)).count() >= LEAST_FIELDS;
-    let is_blank = |(separator, line): &(u8, &str)| *separator == b' ' && line.split_whitespace().count() >= LEAST_FIELDS;
+    // A place without a height is a name and two numbers.
+    let is_number = |word: &str| word.replace(',', ".").parse::<f64>().is_ok();
+    let is_place = |line: &str| line.split_whitespace().count() == 3 && line.split_whitespace().skip(1).all(is_number);
+    let is_blank =
+        |(separator, line): &(u8, &str)| *separator == b' ' && (line.split_whitespace().count() >= LEAST_FIELDS || is_place(line));
     let found = of_lines().find(is_wide).or_else(|| of_lines().find(is_blank)).or_else(|| of_lines().next().filter(|(is, _)| *is != b' '));
     found.map_or(b',', |(separator, _)| separator)
 }
@@ -42,7 +46,7 @@ pub(super) fn of_line(line: &str) -> u8 {
 fn has_decimal_commas(line: &str) -> bool {
     let words: Vec<&str> = line.split_whitespace().collect();
     let with_commas = || words.iter().filter(|word| word.contains(','));
-    words.len() >= LEAST_FIELDS && with_commas().count() >= LEAST_DECIMAL_COMMAS && with_commas().all(|word| is_decimal_comma(word))
+    words.len() > LEAST_DECIMAL_COMMAS && with_commas().count() >= LEAST_DECIMAL_COMMAS && with_commas().all(|word| is_decimal_comma(word))
 }
 
 /// A number with one comma between its figures, and no point.

@@ -158,7 +158,7 @@ test('a table of GNSS positions is known among files, georeferences photos that 
   await part(page, 'block-folder-input').setInputFiles(folder);
   await status(page, /^6 images/);
   const table = ['Label,Latitude,Longitude,Altitude,Yaw', ...rows.map((row) => `${row},1`)].join('\n');
-  await part(page, 'block-files-input').setInputFiles(upload('flight.csv', new TextEncoder().encode(table)));
+  await part(page, 'block-files-input').setInputFiles(upload('flight.csv', Buffer.from(`\ufeff${table}`, 'utf16le')));
   await status(page, /^GNSS positions of images from flight\.csv\.$/);
   await says(page, 'block-positions-name', /^flight\.csv$/);
   await part(page, 'tab-block-settings').click();

@@ -14,6 +14,7 @@ import type { FilmFiles } from './film';
 import { newId } from './ids';
 import { hasFiducials, hasNumbers, kindOfTable } from './tables';
 import type { Telling } from './told';
+import { textIn } from '../../shared/files/text';
 
 export const TABLE = /\.(?:csv|txt)$/iu;
 const CSV = /\.csv$/iu;
@@ -39,7 +40,7 @@ export class BesideFiles {
   /** Takes cameras that were given with these photos; a file that cannot be used is put aside, and changes nothing: what is said of it. */
   async cameras(file: File, photos: readonly FoundFile[], here: Here): Promise<string> {
     const { state } = this.store;
-    const text = await file.text();
+    const text = await textIn(file);
     here();
     const files = [...state.files, ...photos.map((photo) => ({ id: 0, name: photo.file.name, file: photo.file }))];
     const { cameras: problem } = problemsOf({ ...state, files, options: { ...state.options, cameras: { name: file.name, text } } });
@@ -57,8 +58,8 @@ export class BesideFiles {
     const cameras: File[] = [];
     const marks: File[] = [];
     for (const file of given) {
-      if (CAMERAS.test(file.name) && FOCAL_LENGTH in fieldsOf(await file.text())) cameras.push(file);
-      else if (TABLE.test(file.name) && hasFiducials(await file.text())) marks.push(file);
+      if (CAMERAS.test(file.name) && FOCAL_LENGTH in fieldsOf(await textIn(file))) cameras.push(file);
+      else if (TABLE.test(file.name) && hasFiducials(await textIn(file))) marks.push(file);
     }
     const [camera] = cameras;
     const said = [...(camera === undefined ? [] : [await this.film.camera(camera, here)]), ...(marks.length === 0 ? [] : [await this.film.marks(marks, here)])];
@@ -84,7 +85,7 @@ export class BesideFiles {
     const aside: string[] = [];
     let count = 0;
     for (const file of files) {
-      const text = await file.text();
+      const text = await textIn(file);
       const found = kindOfTable(text, names);
       // Any other text, such as notes, is no table.
       if (found.kind === 'neither' && !CSV.test(file.name) && !hasNumbers(text)) continue;
@@ -101,7 +102,7 @@ export class BesideFiles {
   }
 
   private async takesText(given: GivenText, file: File, here: Here): Promise<void> {
-    const text = await file.text();
+    const text = await textIn(file);
     here();
     this.store.dispatch({ type: 'options', options: { [given]: { name: file.name, text } } });
     const problem = problemsOf(this.store.state)[given];

@@ -7,6 +7,7 @@ import { say } from '../../shared/text/words';
 import type { BlockStore } from '../engine/engine';
 import type { TextFile } from '../state/file';
 import { NO_FILM, withMarks } from '../state/film';
+import { textIn } from '../../shared/files/text';
 
 /** So many files are named in a message. */
 const LISTED = 5;
@@ -67,7 +68,7 @@ export class FilmFiles {
 
   /** A file that the crate reads; where it does not, what is wrong with it. */
   private async read(file: File, check: (text: string) => unknown): Promise<TextFile | string> {
-    const text = await file.text();
+    const text = await textIn(file);
     try {
       check(text);
       return { name: file.name, text };

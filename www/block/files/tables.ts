@@ -23,7 +23,8 @@ const OF_IMAGES = /^(?:image|img|photo|picture|frame|bild|foto)/iu;
 const OF_HEIGHTS = /^(?:z|h|up|height|alt|elev|hoehe|höhe)/iu;
 
 /** The columns of places on the earth or in its plane and of their heights, which image measurements do not have. */
-const OF_PLACES = /^(?:[xyz][/_ ])?(?:gps)?(?:lon|lng|lat|alt|elev|east|north|rechts|hoch|länge|laenge|breite|höhe|hoehe|height|z\b)/iu;
+const OF_PLACES =
+  /^(?:[xyz][/_ ]|(?:gps|utm|wgs|etrs|grid|local)\w*[ _-])?(?:gps)?(?:lon|lng|lat|alt|elev|east|north|rechts|hoch|ost\b|nord\b|öst|norr|höjd|länge|laenge|breite|höhe|hoehe|height|z\b)/iu;
 
 /** A coordinate, as no point is named. */
 const COORDINATE = /^[+-]?\d+[.,]\d/u;

@@ -7,6 +7,7 @@ import type { Store } from '../state/store';
 import { freshId } from './ids';
 import { info, problem } from './told';
 import type { Telling, Told } from './told';
+import { textIn } from '../../shared/files/text';
 
 /** Longest side of the copy of a mask that is shown, px. */
 export const MASK_SIDE = 1024;
@@ -56,7 +57,7 @@ export class BesideFiles {
 
   async fiducials(file: File, side: Side, here: Here): Promise<Told> {
     try {
-      const fiducials = await this.engine.client('pair').call('parseFiducials', { text: await file.text() });
+      const fiducials = await this.engine.client('pair').call('parseFiducials', { text: await textIn(file) });
       here();
       this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
       return info(say('fiducial-of-the-image-from', { fiducials: fiducials.length, side, name: file.name }));
@@ -67,7 +68,7 @@ export class BesideFiles {
 
   async camera(file: File, here: Here): Promise<Told> {
     try {
-      const camera = await this.engine.client('pair').call('parseCamera', { text: await file.text() });
+      const camera = await this.engine.client('pair').call('parseCamera', { text: await textIn(file) });
       here();
       this.store.dispatch({ type: 'camera', camera });
       return info(say('camera-data-from', { name: file.name }));
