@@ -91,8 +91,8 @@ pub use json::{JsonFault, JsonKind};
 pub use matching::{
     Candidate, DESCRIPTOR_BYTES, Denominator, Described, DescriptorMatch, Descriptors, EpipolarLines, Expectation, Fit, Guide,
     GuidedOptions, Located, Match, MatchCounts, MatchImage, MatchOptions, MatchSet, Nearest, NearestOptions, NearestTable, OffsetField,
-    Refinement, Rule, Strategy, Verdict, candidates_of, estimate_offset, estimate_offset_of_reduced, gradient_candidates, guided_matches,
-    match_images, match_points, nearest, nearest_matches, nearest_of,
+    ParallaxDeviation, Refinement, Rule, Strategy, Verdict, candidates_of, estimate_offset, estimate_offset_of_reduced,
+    gradient_candidates, guided_matches, match_images, match_points, nearest, nearest_matches, nearest_of, parallax_deviation,
 };
 pub use math::{geographic_from_local, local_from_geographic};
 pub use message::{Message, Texts};

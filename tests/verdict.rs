@@ -3,12 +3,16 @@
 use super::known::input;
 use tiepoint::{
     CameraMm, Error, GreyImage, KnownWorst, Match, NoOrientation, PairImage, PairInput, PairInterior, PairResult, PairSettings,
-    PairVerdict, Refusal, SAMPLE_SEED, Side, Warning, judged, match_pair, sample_pair,
+    PairVerdict, Refusal, SAMPLE_SEED, Side, Strategy, Warning, judged, match_pair, sample_pair,
 };
 
 fn matched(left: &GreyImage, right: &GreyImage, mask: Option<&GreyImage>, input: &PairInput) -> PairResult {
+    matched_by([left, right], mask, input, &PairSettings::default())
+}
+
+fn matched_by([left, right]: [&GreyImage; 2], mask: Option<&GreyImage>, input: &PairInput, settings: &PairSettings) -> PairResult {
     let image = |grey, mask| PairImage { grey, exif: None, mask };
-    match_pair(image(left.view(), mask.map(GreyImage::view)), image(right.view(), None), input, &PairSettings::default()).unwrap()
+    match_pair(image(left.view(), mask.map(GreyImage::view)), image(right.view(), None), input, settings).unwrap()
 }
 
 #[test]
@@ -25,6 +29,22 @@ fn a_good_pair_is_oriented_with_nothing_set() {
     let half = result.orientation.as_ref().unwrap().half_widths_95.unwrap();
     assert!(worst != KnownWorst::Kappa && worst_half_width_deg >= half.omega_deg.max(half.phi_deg) && half_width_deg == half.kappa_deg);
     assert!(result.verdict().to_string().contains("to ± "), "{}", result.verdict());
+}
+
+#[test]
+fn errors_that_correlated_matches_share_are_not_taken_for_a_wrong_focal_length() {
+    let mut settings = PairSettings::default();
+    settings.matching.strategy = Strategy::Correlation;
+    for seed in [SAMPLE_SEED, SAMPLE_SEED + 1] {
+        let sample = sample_pair(seed).unwrap();
+        let mut given = input(&sample);
+        let verdict = |given: &PairInput| matched_by([&sample.left, &sample.right], None, given, &settings).verdict();
+        assert!(matches!(verdict(&given), PairVerdict::Oriented { .. }), "{seed}: {}", verdict(&given));
+        // One that is half as long again is heard, and what it differs by is possible.
+        given.camera = given.camera.map(|camera| CameraMm { focal_mm: 1.5 * camera.focal_mm, ..camera });
+        let PairVerdict::Weak { warning: Warning::FocalLength { change_percent, .. }, .. } = verdict(&given) else { panic!("{seed}") };
+        assert!((-90.0..-20.0).contains(&change_percent), "{change_percent}");
+    }
 }
 
 #[test]

@@ -3,24 +3,18 @@
 //! The selected inverse holds what images have in common that see a common point. What lies farther apart is solved for, column by column, by the
 //! factor of the normal equations at the adjusted values.
 
-use super::axis::observed_axes;
+use super::adjusted_equations::Solved;
 use super::block::Block;
-use super::datum::{Freedoms, Seven, held_images};
-use super::datum_part::datum_constraints;
-use super::loss::Robust;
-use super::network::{Columns, Network};
+use super::datum::{Freedoms, Seven};
+use super::network::Columns;
 use super::precision::angles_by_turns;
-use super::reduced::{KnownParameter, Problem, Reduced, forward3};
-use super::result::{AdjustmentResult, ObservationGroup};
-use super::shared::for_each_mode;
-use super::solution::{Factored, Step};
+use super::reduced::forward3;
+use super::result::AdjustmentResult;
+use super::solution::Step;
 use super::sparse::N;
 use super::state::State;
-use super::systematic::SystematicErrors;
-use super::systematic_result::{SystematicStatistics, SystematicVerdict};
-use super::weighted::observed;
 use crate::error::refuse;
-use crate::{CameraParameter, Error, Few, Refusal};
+use crate::{CameraParameter, Error, Refusal};
 
 /// What covariances are wanted of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,103 +52,27 @@ impl AdjustmentResult {
     /// [`Error::InvalidInput`] for a point without accepted rays and for an image whose angles are not determined, at φ = ±90°; [`Error::TooFew`]
     /// without redundancy, which leaves σ₀ unknown; [`Error::Degenerate`] where the normal equations are singular.
     pub(crate) fn covariances(&self, block: &Block, accepted: &[bool], parts: &[Part]) -> Result<PartCovariances, Error> {
-        // Of projects that former versions kept, the standard errors are those of other weights.
-        let (Some(unit_error), Some(weighted_by)) = (self.unit_error_px, self.weighted_by_px) else {
-            return refuse(Refusal::CovariancesUnsupported);
-        };
-        if unit_error <= 0.0 {
-            return Err(Error::TooFew { few: Few::DegreesOfFreedom, got: self.degrees_of_freedom, needed: 1 });
-        }
-        let block = &self.as_weighted(block);
-        let systematic = SystematicErrors::of_result(block, self.systematic.as_ref());
-        let mut state = State::of(block).with_systematic(systematic.errors.len());
-        let free = self.kept_errors(&mut state);
-        let network = Network::new(block, accepted, None);
-        let columns = Columns::new(&self.estimated()).with_systematic(&free);
-        let (mut gnss, control) = observed(block, self.datum, weighted_by);
-        let took_part = |image: usize| self.images[image].gnss.is_none_or(|gnss| gnss.accepted);
-        gnss.iter_mut().enumerate().filter(|(image, _)| !took_part(*image)).for_each(|(_, prior)| *prior = None);
-        let axes = observed_axes(block, self.datum, weighted_by);
-        let held = (self.datum == super::options::Datum::Free).then(|| held_images(&network, &state));
-        let known = KnownParameter::of_block(block, &columns, weighted_by);
-        let constraints = datum_constraints(&network, &columns, &systematic, &state, (&gnss, &control));
-        let problem = Problem {
-            network: &network,
-            columns: &columns,
-            gnss: &gnss,
-            control: &control,
-            axes: &axes,
-            held,
-            known: &known,
-            systematic: &systematic,
-            constraints: &constraints,
-        };
-        let mut reduced = problem.reduce(&state, 0.0, Robust::squares());
-        let factored = Factored::new(&network.pattern, &mut reduced).map_err(|singular| problem.singular(singular))?;
-        let freedoms = held.map(|_| Freedoms::new(&network, &state)).transpose()?;
-        let solved = Solved { problem: &problem, reduced: &reduced, factored: &factored, state: &state, freedoms: freedoms.as_ref() };
-        let chosen = solved.chosen(parts)?;
-        let column = |one: &Chosen| {
-            let step = solved.column(one);
-            chosen.iter().map(|other| other.of(&step)).collect()
-        };
-        let mut rows: Vec<Vec<f64>> = chosen.iter().map(column).collect();
-        if self.shared_errors > 0.0 {
-            let add = |step: &Step, share: f64| {
+        self.with_equations(block, accepted, |solved| {
+            let chosen = solved.chosen(parts)?;
+            let column = |one: &Chosen| {
+                let step = solved.column(one);
+                chosen.iter().map(|other| other.of(&step)).collect()
+            };
+            let mut rows: Vec<Vec<f64>> = chosen.iter().map(column).collect();
+            solved.for_each_shared(|step, share| {
                 let moved: Vec<f64> = chosen.iter().map(|one| one.of(step)).collect();
-                let share = share * self.shared_errors * self.shared_errors;
                 for (row, own) in rows.iter_mut().zip(&moved) {
                     row.iter_mut().zip(&moved).for_each(|(sum, other)| *sum += share * own * other);
                 }
-            };
-            for_each_mode(&problem, &reduced, &factored, (&state, Robust::squares()), block, freedoms.as_ref(), add);
-        }
-        turns_to_angles(&mut rows, &chosen, &state)?;
-        let variance = unit_error * unit_error;
-        let size = rows.len();
-        let rows = (0..size).map(|r| (0..size).map(|c| 0.5 * variance * (rows[r][c] + rows[c][r])).collect()).collect();
-        let unknowns = chosen.iter().map(|one| (one.part, one.unknown(&columns), one.value(&state, &columns))).collect();
-        Ok(PartCovariances { unknowns, rows })
-    }
-
-    /// Which parameters of each camera were estimated.
-    fn estimated(&self) -> Vec<[bool; 8]> {
-        let of_camera = |(camera, statistics): (&crate::Camera, &super::result::CameraStatistics)| {
-            let mut free = camera.free.flags();
-            for (k, parameter) in CameraParameter::ALL.iter().enumerate() {
-                free[k] &= statistics.fixed.iter().all(|fixed| fixed.parameter != *parameter);
-            }
-            free
-        };
-        self.block.cameras.iter().zip(&self.cameras).map(of_camera).collect()
-    }
-
-    /// Puts the systematic errors of positions into a state that were kept; which of their values were estimated.
-    fn kept_errors(&self, state: &mut State) -> Vec<[bool; 3]> {
-        let errors = self.systematic.iter().flat_map(|systematic| &systematic.errors).zip(&mut state.systematic);
-        let of_error = |(statistics, values): (&SystematicStatistics, &mut [f64; 3])| {
-            if statistics.verdict != SystematicVerdict::Kept {
-                return [false; 3];
-            }
-            *values = statistics.estimate;
-            statistics.standard_errors.map(|error| error.is_some())
-        };
-        errors.map(of_error).collect()
-    }
-
-    /// A block with the standard errors of observed positions by which these were weighted.
-    fn as_weighted(&self, block: &Block) -> Block {
-        let factor = |group: ObservationGroup| self.components.iter().find(|c| c.group == group && c.applied).map_or(1.0, |c| c.factor);
-        let [plan, height] = [factor(ObservationGroup::GnssPlan), factor(ObservationGroup::GnssHeight)];
-        let mut block = block.clone();
-        for gnss in block.images.iter_mut().filter_map(|image| image.gnss.as_mut()) {
-            (0..3).for_each(|k| gnss.sigma[k] = gnss.sigma[k].map(|sigma| sigma * if k < 2 { plan } else { height }));
-        }
-        let control = self.factors_of_control();
-        for point in &mut block.control {
-            (0..3).for_each(|k| point.sigma[k] *= control[k]);
-        }
-        block
+            });
+            turns_to_angles(&mut rows, &chosen, solved.state)?;
+            let variance = solved.unit_error * solved.unit_error;
+            let size = rows.len();
+            let rows = (0..size).map(|r| (0..size).map(|c| 0.5 * variance * (rows[r][c] + rows[c][r])).collect()).collect();
+            let columns = solved.problem.columns;
+            let unknowns = chosen.iter().map(|one| (one.part, one.unknown(columns), one.value(solved.state, columns))).collect();
+            Ok(PartCovariances { unknowns, rows })
+        })
     }
 }
 
@@ -201,16 +119,7 @@ fn undetermined_angles<T>(image: usize) -> Result<T, Error> {
     refuse(Refusal::CovarianceImage { image })
 }
 
-/// The factored equations at the adjusted values.
-struct Solved<'a> {
-    problem: &'a Problem<'a>,
-    reduced: &'a Reduced,
-    factored: &'a Factored,
-    state: &'a State,
-    /// Of a free network.
-    freedoms: Option<&'a Freedoms>,
-}
-
+/// What chosen unknowns have in common with all.
 impl Solved<'_> {
     /// The unknowns of some parts.
     fn chosen(&self, parts: &[Part]) -> Result<Vec<Chosen>, Error> {
@@ -232,7 +141,7 @@ impl Solved<'_> {
     /// The cofactors of all unknowns with one, in the datum of the inner constraints where nothing else places the block: S Q Sᵀ of it, the Q of held
     /// images and S = I - G (GᵀEG)⁻¹ GᵀE.
     fn column(&self, one: &Chosen) -> Step {
-        let Self { problem, reduced, factored, state, freedoms } = self;
+        let Self { problem, reduced, freedoms, .. } = self;
         let pattern = &problem.network.pattern;
         let (mut images, mut cameras) = (vec![0.0; problem.network.images() * N], vec![0.0; problem.columns.number()]);
         let mut of_point = None;
@@ -249,16 +158,7 @@ impl Solved<'_> {
         if let Some(freedoms) = freedoms {
             self.take_motion(freedoms, one, &mut images);
         }
-        factored.solve(pattern, &mut images, &mut cameras);
-        let right = |point: usize| of_point.filter(|(own, _)| *own == point).map_or([0.0; 3], |(_, right)| right);
-        let points = (0..problem.network.points()).map(|point| reduced.back_substitute(problem, point, right(point), &images, &cameras));
-        let points = points.collect();
-        let images = pattern.place.iter().map(|at| std::array::from_fn(|k| images[*at as usize * N + k])).collect();
-        let mut step = Step { images, cameras, points, square: 0.0 };
-        if let Some(freedoms) = freedoms {
-            freedoms.constrain(state, &mut step);
-        }
-        step
+        self.solve(images, cameras, of_point)
     }
 
     /// Takes from images and cameras what the elimination of a point takes.
@@ -311,6 +211,8 @@ fn turns_to_angles(rows: &mut [Vec<f64>], chosen: &[Chosen], state: &State) -> R
 mod tests {
     use super::*;
     use crate::adjustment::collinearity::linearise;
+    use crate::adjustment::network::Network;
+    use crate::adjustment::systematic_result::SystematicVerdict;
     use crate::{AdjustmentOptions, BlockFlight, BlockPreset, BlockView, Datum, FreeParameters, Loss, adjust_block, simulate_network};
     use nalgebra::DMatrix;
 

@@ -5,11 +5,13 @@
 //! `systematic`, `strips`: errors that positions share, with `datum_part` and `significance`, which say what is estimated of them) → [`AdjustmentResult`].
 
 mod adjust;
+mod adjusted_equations;
 mod axis;
 mod block;
 mod calibration;
 mod check;
 mod collinearity;
+mod common_offset;
 mod components;
 mod confidence;
 mod covariance;

@@ -12,7 +12,7 @@ use super::state::State;
 use super::weighted::Weighted;
 
 /// Below this share an observation has no redundancy to judge it by.
-const LEAST_REDUNDANCY: f64 = 1e-6;
+pub(super) const LEAST_REDUNDANCY: f64 = 1e-6;
 
 /// Redundancy and test of one coordinate.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -547,11 +547,14 @@ block-warning-positions-rejected =
     }
     .images = { $name } ({ FIXED($distance_m, digits: 1) } م)
 block-warning-positions-apart =
-    تختلف مواضع GNSS كلها على السواء عن الكتلة المضبوطة في { $axis } بمقدار { FIXED($difference_m, digits: 2) } م، أي { FIXED($times, digits: 1) } أمثال ما تسمح به أخطاؤها المعيارية: { $axis ->
+    تختلف مواضع GNSS كلها على السواء عما تقوله نقاط الضبط في { $axis } بمقدار { FIXED($difference_m, digits: 2) } م، أي { FIXED($times, digits: 1) } أمثال الخطأ المعياري لهذا الفرق: { $axis ->
         [z] ربما تُحسب ارتفاعاتها وارتفاعات نقاط الضبط من صفرين مختلفين، كالمجسم الإهليلجي ومستوى سطح البحر (--geoid-m)، أو
        *[other] ربما كانت هي ونقاط الضبط في نظامين مختلفين، أو
     } للمواضع إزاحة مشتركة (--gnss-errors offset).{ $focal ->
         [true] {" "}وتخطئ بجزء منها الأبعاد البؤرية المقدرة ومعها ارتفاعات الصور.
+       *[false] {""}
+    }{ $control ->
+        [true] {" "}وقد تكون نقاط الضبط التي لا تتوافق صحيحة.
        *[false] {""}
     }
 block-warning-positions-elsewhere =
@@ -630,6 +633,11 @@ block-warning-control-lost =
             [none] تحقق من الصور والنقاط التي تسميها، ومن أنها ببكسلات هذه الصور، وأن x إلى اليمين وy من الأعلى إلى الأسفل.
            *[other] { $control_apart }
         }
+    }
+block-warning-check-refused =
+    يختلف { $axis } لنقطة التحقق { $point } عن الكتلة بمقدار { FIXED($difference_m, digits: 3) } م ± { FIXED($error_m, digits: 3) } م (المضبوط ناقص المقيس): إحداثياتها أو قياساتها الصورية خاطئة، أو تخطئ الكتلة في موضعها.{ $mistake ->
+        [none] {""}
+       *[other] {" "}{ $mistake }
     }
 block-warning-checks-apart =
     { $points ->

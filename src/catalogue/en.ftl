@@ -1031,11 +1031,14 @@ block-warning-positions-rejected =
     }
     .images = { $name } ({ FIXED($distance_m, digits: 1) } m)
 block-warning-positions-apart =
-    In { $axis } all GNSS positions differ alike from the adjusted block, by { FIXED($difference_m, digits: 2) } m, { FIXED($times, digits: 1) } times as much as their standard errors lead one to expect: { $axis ->
+    In { $axis } all GNSS positions differ alike from what the control points say, by { FIXED($difference_m, digits: 2) } m, { FIXED($times, digits: 1) } times the standard error of this difference: { $axis ->
         [z] they and the control points may count heights from different zeros, such as the ellipsoid and sea level (--geoid-m), or
        *[other] they and the control points may be in different systems, or
     } the positions have an offset in common (--gnss-errors offset).{ $focal ->
         [true] {" "}Focal lengths that are estimated, and the heights of the images with them, are wrong by part of it.
+       *[false] {""}
+    }{ $control ->
+        [true] {" "}Control points that do not fit may be right.
        *[false] {""}
     }
 block-warning-positions-elsewhere =
@@ -1116,6 +1119,11 @@ block-warning-control-lost =
             [none] check which images and points they name, and that they are in px of these images, x to the right, y from the top down.
            *[other] { $control_apart }
         }
+    }
+block-warning-check-refused =
+    The { $axis } of check point { $point } differs from the block by { FIXED($difference_m, digits: 3) } m ± { FIXED($error_m, digits: 3) } m (adjusted minus surveyed): its coordinates or its image measurements are wrong, or the block is where it lies.{ $mistake ->
+        [none] {""}
+       *[other] {" "}{ $mistake }
     }
 block-warning-checks-apart =
     { $points ->

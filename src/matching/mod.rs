@@ -40,6 +40,7 @@ pub use nearest::{DescriptorMatch, Nearest, NearestOptions, NearestTable, neares
 pub use offset::{OffsetField, estimate_offset, estimate_offset_of_reduced};
 pub use options::{Denominator, MatchOptions, Refinement, Strategy};
 pub use outcome::{Fit, Match, MatchCounts, MatchSet, Rule, Verdict};
+pub use parallax::{ParallaxDeviation, parallax_deviation};
 pub use region::{EpipolarLines, Expectation};
 pub use search::{Candidate, Described, candidates_of, match_points};
 pub use strategy::match_images;

@@ -76,7 +76,7 @@ pub struct Verdict {
 
 impl Verdict {
     /// The verdict on a point before anything is known of it.
-    pub(super) fn none(rule: Rule) -> Self {
+    pub(crate) fn none(rule: Rule) -> Self {
         Self { rule, best: None, position: None, measure: f64::INFINITY, second: f64::INFINITY, fit: None }
     }
 

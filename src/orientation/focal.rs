@@ -14,6 +14,10 @@ const LEAST_SIGMA: f64 = 1e-11;
 /// 0.24 of it, on simulated flights of all kinds.
 const LEAST_PARALLAX: f64 = 0.25;
 
+/// What a change of the focal length by more explains besides is not counted: residuals that matches share, as those of correlation, ask for a multiple of
+/// it where they hardly tell it. On simulated flights such a change owes it up to 0.47, the part within this up to 0.2.
+const MOST_CHANGE: f64 = 0.3;
+
 /// From this condition on, as of a narrow field of view, what matches share does not imitate a focal length: on no right pair.
 const NARROW: f64 = 1e4;
 
@@ -22,7 +26,7 @@ const NARROW: f64 = 1e4;
 pub(super) struct FocalMisfit {
     /// What the residuals would add to the focal length, as a share of it.
     pub change: f64,
-    /// The same in its standard errors.
+    /// Its test.
     pub w: f64,
 }
 
@@ -65,10 +69,31 @@ pub(super) fn misfit(
     let leaves = (0..5).any(|k| moved[k].abs() > half_widths[k]);
     let by_shared = if condition > NARROW { 0.0 } else { LEAST_PARALLAX * (freedom as f64).sqrt() };
     let least_w = student_limit(alpha0, freedom).max(by_shared);
-    (w.abs() > least_w && leaves).then_some(FocalMisfit { change, w })
+    let explained = w.abs() * share_within(change.abs()).sqrt();
+    // Coordinates in units of the focal length grow as it falls: one that is a third triples them.
+    let change = if change < 0.0 { change / (1.0 - change) } else { change };
+    (explained > least_w && leaves).then_some(FocalMisfit { change, w })
+}
+
+/// The share of what a change explains that the part of it within [`MOST_CHANGE`] does: squares fall as a parabola.
+fn share_within(change: f64) -> f64 {
+    let beyond = (1.0 - MOST_CHANGE / change).max(0.0);
+    1.0 - beyond * beyond
 }
 
 /// Half-widths of 95 % intervals by the covariance of the unknowns and the limit of Student's distribution.
 pub(super) fn half_widths(covariance: &Matrix5, limit: f64) -> [f64; 5] {
     std::array::from_fn(|k| limit * covariance[(k, k)].max(0.0).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_an_impossible_change_explains_is_hardly_counted() {
+        assert_eq!(share_within(0.05), 1.0);
+        assert_eq!(share_within(MOST_CHANGE), 1.0);
+        assert!((share_within(2.0 * MOST_CHANGE) - 0.75).abs() < 1e-12 && share_within(3.0) < 0.2);
+    }
 }

@@ -30,7 +30,7 @@ pub(super) fn tell_elsewhere(
     model.warnings.push(BlockWarning::ControlElsewhere { points: given.len(), images: unknown.to_vec(), check });
 }
 
-/// Names the coordinate of the system in warnings of wrong control points, and what explains it. `limit`: of a test.
+/// Names the coordinate of the system in warnings of wrong control and check points, and what explains it. `limit`: of a test.
 pub(super) fn explain_control(model: &mut ReconstructedModel, origin: Option<GeographicOrigin>, input: &Checked, limit: f64) {
     let placing = &input.settings.placing;
     let (Some(origin), Some(control)) = (origin, &input.control) else { return };
@@ -41,9 +41,17 @@ pub(super) fn explain_control(model: &mut ReconstructedModel, origin: Option<Geo
     let origin = [origin.longitude_deg, origin.latitude_deg, origin.height_m];
     let ReconstructedModel { warnings, surveyed, .. } = model;
     for warning in warnings {
-        let BlockWarning::ControlRefused { point, axis, difference_m, error_m, detectable_m, mistake, .. } = warning else { continue };
+        let (point, axis, difference_m, error_m, detectable_m, mistake) = match warning {
+            BlockWarning::ControlRefused { point, axis, difference_m, error_m, detectable_m, mistake, .. } => {
+                (point, axis, difference_m, error_m, detectable_m.as_mut(), mistake)
+            }
+            BlockWarning::CheckRefused { point, axis, difference_m, error_m, mistake } => {
+                (point, axis, difference_m, error_m, None, mistake)
+            }
+            _ => continue,
+        };
         let Some(surveyed) = surveyed.iter_mut().find(|surveyed| surveyed.name == *point) else { continue };
-        let (Some(left), Some(given)) = (surveyed.left_out, control.coordinates(point)) else { continue };
+        let (Some(left), Some(given)) = (surveyed.without(), control.coordinates(point)) else { continue };
         let place = [0, 1, 2].map(|k| surveyed.position[k] + left.difference[k]);
         let Some(likely) = system.coordinates(geographic_from_local(place, origin)) else { continue };
         let across = left.standard_errors[0].max(left.standard_errors[1]);
@@ -57,7 +65,9 @@ pub(super) fn explain_control(model: &mut ReconstructedModel, origin: Option<Geo
         }
         *axis = doubted.axis();
         *difference_m = apart[axis.index()];
-        *detectable_m = detectable_m.map(|detectable| detectable / *error_m * errors[axis.index()]);
+        if let Some(detectable) = detectable_m {
+            *detectable = *detectable / *error_m * errors[axis.index()];
+        }
         *error_m = errors[axis.index()];
         if let Some(refused) = &mut surveyed.refused {
             refused.axis = Some(*axis);

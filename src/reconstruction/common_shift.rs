@@ -80,13 +80,20 @@ fn variance_of_median(number: usize, of_sum: f64, together: f64) -> f64 {
 /// What the places of an orthophoto share of the standard error of one: as far as that it may be off as a whole.
 pub(crate) const SHARED: f64 = 0.5;
 
+/// What check points beside the places of an orthophoto may be off by together, along each axis: as far as that may be off as a whole.
+pub(super) fn shared_by_places(known: &Known<'_>) -> [f64; 3] {
+    let own = known.options.tested_control.unwrap_or(known.description.control.len());
+    let places = known.frame.control.get(own..).unwrap_or_default();
+    [0, 1, 2].map(|k| SHARED * median(&mut places.iter().map(|(_, sigma)| sigma[k]).collect::<Vec<_>>()).unwrap_or(0.0))
+}
+
 /// Check points that differ alike from the block beyond a limit.
 pub(super) fn of_check_points(model: &ReconstructedModel, known: &Known<'_>) -> Option<BlockWarning> {
-    let Known { description, frame, options } = *known;
+    let Known { description, options, .. } = *known;
     let own = options.tested_control.unwrap_or(description.control.len());
     let shift = CommonShift::of_checks(model, description, own)?;
-    let shared = |k: usize| SHARED * median(&mut frame.control[own..].iter().map(|(_, sigma)| sigma[k]).collect::<Vec<_>>()).unwrap_or(0.0);
-    let error = |axis: Axis| libm::hypot(shift.errors_m[axis.index()], shared(axis.index()));
+    let shared = shared_by_places(known);
+    let error = |axis: Axis| libm::hypot(shift.errors_m[axis.index()], shared[axis.index()]);
     let times = |axis: Axis| shift.difference_m[axis.index()].abs() / error(axis);
     let axis = Axis::ALL.into_iter().max_by(|a, b| times(*a).total_cmp(&times(*b)))?;
     (times(axis) > options.adjustment.limit()).then(|| BlockWarning::ChecksApart {

@@ -5,6 +5,7 @@
 //! choice among them, the bundle adjustment) → [`Reconstruction`].
 
 mod adjusting;
+mod check_refused;
 mod choosing;
 mod common_shift;
 mod control_course;
@@ -28,6 +29,7 @@ mod net;
 mod options;
 mod p3p;
 mod placing;
+mod positions_apart;
 mod rays;
 mod readjust;
 mod reconstruct;

@@ -1,6 +1,7 @@
 //! What the reconstruction of a block gives.
 
-use super::mistake::Axis;
+use super::frame::Frame;
+use super::mistake::{Axis, Doubted, Mistake};
 use super::warning::{BlockWarning, UnorientedReason};
 use crate::adjustment::{AdjustmentResult, LeftOut};
 use crate::model::{ControlRole, GeographicOrigin};
@@ -97,6 +98,21 @@ pub struct SurveyedPoint {
 }
 
 impl SurveyedPoint {
+    /// By how much the other observations differ from it: a check point takes no part, a control point that does is left out.
+    pub(crate) fn without(&self) -> Option<LeftOut> {
+        let [x, y, z] = self.standard_errors_m;
+        let own = || Some(LeftOut { difference: self.difference_m, standard_errors: [x?, y?, z?] });
+        if self.role == ControlRole::Check { own() } else { self.left_out }
+    }
+
+    /// The slip of writing that explains by how much the other observations differ from it, with the standard errors of that and the limit of a test;
+    /// none of coordinates on the earth, which were written in a system that is not known here.
+    pub(super) fn mistake(&self, frame: &Frame, [difference, errors]: [[f64; 3]; 2], limit: f64) -> Option<Mistake> {
+        let likely = [0, 1, 2].map(|k| self.position[k] + difference[k]);
+        let doubted = Doubted { given: self.position, likely, height_unit_m: 1.0, within: errors.map(|error| limit * error) };
+        if frame.origin.is_none() { doubted.mistake() } else { None }
+    }
+
     /// What became of it, in one word, or two.
     pub(crate) fn state(&self) -> &'static str {
         match (self.role, self.refused) {

@@ -1,5 +1,6 @@
 //! What of a model deserves a warning.
 
+use super::check_refused::of_wrong_checks;
 use super::common_shift::of_check_points;
 use super::control_course::{ControlTests, Refused};
 use super::control_lost::{of_lost, of_unplaced};
@@ -9,13 +10,13 @@ use super::exchanged_names::name_exchanged;
 use super::frame::Frame;
 use super::level::{LEVEL_DEG, UNCERTAIN_TURN_DEG, uncertainty_deg};
 use super::material::Known;
-use super::mistake::{Axis, Doubted};
 use super::placing::Placing;
+use super::positions_apart::of_common_positions;
 use super::result::{PointSource, ReconstructedModel};
 use super::units::of_units;
 use super::warning::{BlockWarning, Observed, RejectedPosition, UNKNOWN_TURN_DEG};
-use crate::adjustment::{Datum, ObservationVerdict, PriorStatistics, SystematicError, SystematicVerdict};
-use crate::math::{MEDIAN_BY_MEAN, NORMAL_MEDIAN, median};
+use crate::adjustment::{Datum, ObservationVerdict, SystematicError, SystematicVerdict};
+use crate::math::median;
 use crate::model::{BlockDescription, ControlRole};
 use crate::pair::LARGEST_SIGMA0_PX;
 
@@ -31,9 +32,6 @@ const OBLIQUE_DEG: f64 = 10.0;
 
 /// Most views of a flight that are farther off the vertical look up at ground that is mirrored.
 const LOOKING_UP_DEG: f64 = 150.0;
-
-/// GNSS positions, at least, whose median tells what all have in common.
-const LEAST_POSITIONS: usize = 4;
 
 /// `placing`: how the model came to lie where it does.
 pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: Placing, tests: &ControlTests) -> Vec<BlockWarning> {
@@ -58,10 +56,11 @@ pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: P
     found.extend(of_sigma(model));
     found.extend(of_weights(model));
     found.extend(of_positions(model, description, frame));
-    found.extend(of_common_positions(model, frame, known.options.adjustment.limit()));
+    found.extend(of_common_positions(model, frame, tests, known.options.adjustment.limit()));
     found.extend(of_position_errors(model));
     found.extend(scale);
     found.extend(of_control(model, known, tests));
+    found.extend(of_wrong_checks(model, known));
     found.extend(of_check_points(model, known));
     found.extend(of_shape(model, description));
     found.extend(of_unplaced(model, description, own_control, &found));
@@ -141,37 +140,6 @@ fn of_positions(model: &ReconstructedModel, description: &BlockDescription, fram
     level.into_iter().chain((!images.is_empty()).then_some(BlockWarning::PositionsRejected { images })).collect()
 }
 
-/// What all GNSS positions differ by from the block that ground control places, as heights above the ellipsoid do from those above the sea: no single
-/// one of them shows it. Residuals of a coordinate have no more in common by chance than their standard errors say, or their scatter where these are
-/// stated too small, whatever the adjustment took of it.
-fn of_common_positions(model: &ReconstructedModel, frame: &Frame, limit: f64) -> Option<BlockWarning> {
-    let datum = model.adjusted.datum;
-    if !datum.uses_gnss() || !datum.uses_control() || model.adjusted.systematic.is_some() {
-        return None;
-    }
-    let of_axis = |axis: Axis| {
-        let k = axis.index();
-        let taking = model.adjusted.images.iter().filter_map(|image| image.gnss).filter(|gnss| gnss.accepted);
-        // By its standard error, and in m; a coordinate that was not observed has no redundancy.
-        let residual = |gnss: PriorStatistics| {
-            let redundancy = gnss.redundancy?[k];
-            (redundancy > 0.0).then_some((gnss.w?[k] * redundancy.sqrt(), gnss.residual[k]))
-        };
-        let (mut sizes, mut residuals): (Vec<f64>, Vec<f64>) = taking.filter_map(residual).unzip();
-        let number = sizes.len();
-        let middle = median(&mut sizes).filter(|_| number >= LEAST_POSITIONS)?;
-        let mut around: Vec<f64> = sizes.iter().map(|size| (size - middle).abs()).collect();
-        let scatter = (median(&mut around)? / NORMAL_MEDIAN).max(1.0);
-        let times = middle.abs() / scatter * (number as f64).sqrt() / MEDIAN_BY_MEAN;
-        let focal = axis == Axis::Z && model.adjusted.block.cameras.iter().any(|camera| camera.free.focal);
-        Some((times, BlockWarning::PositionsApart { axis, difference_m: median(&mut residuals)?, times, focal }))
-    };
-    // What a height that was not recorded differs by tells nothing.
-    let observed = Axis::ALL.into_iter().filter(|axis| !(frame.is_levelled && *axis == Axis::Z));
-    let apart = observed.filter_map(of_axis).filter(|(times, _)| *times > limit);
-    apart.max_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, warning)| warning)
-}
-
 /// Systematic errors of GNSS positions that the block does not determine, or only beside each other.
 fn of_position_errors(model: &ReconstructedModel) -> Vec<BlockWarning> {
     let Some(systematic) = &model.adjusted.systematic else { return Vec::new() };
@@ -200,13 +168,10 @@ fn of_control(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTest
         let axis = test.axis();
         let k = axis.index();
         let surveyed = model.surveyed.iter().find(|surveyed| surveyed.name == point);
-        // Coordinates on the earth were written in a system that is not known here.
-        let mistake = surveyed.filter(|_| known.frame.origin.is_none()).and_then(|point| {
-            let [difference, errors] =
-                point.left_out.map_or([test.difference, test.errors], |left| [left.difference, left.standard_errors]);
-            let limit = known.options.adjustment.limit();
-            let likely = [0, 1, 2].map(|k| point.position[k] + difference[k]);
-            Doubted { given: point.position, likely, height_unit_m: 1.0, within: errors.map(|error| limit * error) }.mistake()
+        let limit = known.options.adjustment.limit();
+        let mistake = surveyed.and_then(|surveyed| {
+            let left = surveyed.left_out.map_or([test.difference, test.errors], |left| [left.difference, left.standard_errors]);
+            surveyed.mistake(known.frame, left, limit)
         });
         Some(BlockWarning::ControlRefused {
             point,

@@ -32,14 +32,17 @@ messages! {
         NoHeights,
         /// GNSS positions that do not fit.
         PositionsRejected { images: Vec<RejectedPosition> },
-        /// A coordinate in which all GNSS positions differ alike from the block that ground control places. `difference_m`: that of the positions minus that
-        /// of the block, in the median; `times`: by the standard error of such a median. `focal`: focal lengths that are estimated follow heights.
+        /// A coordinate in which all GNSS positions differ alike from what ground control says. `difference_m`: that of the positions minus that of the
+        /// control; `times`: by its standard error. `focal`: focal lengths that are estimated follow heights. `control`: control points were refused,
+        /// which may be right.
         PositionsApart {
             axis: Axis,
             difference_m: f64,
             times: f64,
             #[serde(default)]
             focal: bool,
+            #[serde(default)]
+            control: bool,
         },
         /// GNSS positions that a table gives to so many images lie elsewhere than those that their files record, by so much in the median.
         /// `in_crs`: whether the table has them in the system that was named.
@@ -133,6 +136,8 @@ messages! {
             #[serde(default)]
             check: bool,
         },
+        /// A check point that differs from the block by more than the others do: adjusted minus surveyed along one axis, and the standard error of that.
+        CheckRefused { point: String, axis: Axis, difference_m: f64, error_m: f64, mistake: Option<Mistake> },
         /// A coordinate in which check points differ alike from the block: adjusted minus surveyed in the median, and the standard error of that.
         ChecksApart { axis: Axis, points: usize, difference_m: f64, error_m: f64 },
         /// Standard errors that a table states in columns without a unit, and that cannot be m: so many in the median (`stated`). `residual_m`: residuals are
@@ -185,8 +190,9 @@ impl BlockWarning {
             Self::Levelled { recorded, error_deg, .. } => !recorded && error_deg.is_none_or(|error| error > UNKNOWN_TURN_DEG),
             // The block is what it is without check points.
             Self::ControlElsewhere { check, .. } => !check,
-            // Heights of another zero make focal lengths wrong, and with them the heights of the images.
-            Self::PositionsApart { focal, .. } => *focal,
+            // Heights of another zero make focal lengths wrong, and with them the heights of the images; and good control points look wrong beside precise
+            // positions. Otherwise control holds the block where it is.
+            Self::PositionsApart { focal, control, .. } => *focal || *control,
             // By less the positions of the files may be wrong.
             Self::PositionsElsewhere { distance_km, place_slip, .. } => *distance_km >= WRONG_PLACE_KM || place_slip.is_some(),
             Self::UnknownRotation { .. }
@@ -202,6 +208,7 @@ impl BlockWarning {
             | Self::ControlLost { .. }
             | Self::ControlWithoutPlace { .. }
             | Self::ControlShape { .. }
+            | Self::CheckRefused { .. }
             | Self::ChecksApart { .. }
             | Self::StatedErrors { .. }
             | Self::Scale { .. }

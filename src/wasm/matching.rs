@@ -1,14 +1,17 @@
 //! Offsets and matches between two sets of points.
 
-use super::convert::{Bytes, JsResult, Number, Numbers, numbers, object, pack, points, read, read_options, rows, set, thrown, whole};
+use super::convert::{
+    Bytes, JsResult, Number, Numbers, numbers, object, pack, points, read, read_options, rows, set, thrown, whole, wrong,
+};
 use super::descriptors::read_pieces;
 use super::orientation::pack_oriented;
 use super::photo::{Photo, pack_points, read_mask};
 use crate::{
     DescribedImage, Descriptor, Error, Expectation, Fit, GreyImage, InterestPoint, LocalFrame, Match, MatchOptions, MatchSet, NoGeometry,
     OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PointCounts, PointSet, Reduced, Rule, Side, TwoView,
-    TwoViewModel, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced, gradient_candidates as nearest_by_gradients,
-    match_described_pair as match_described, match_in_rounds, match_pair as match_images, match_points as match_by_moments,
+    TwoViewModel, Verdict, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced,
+    gradient_candidates as nearest_by_gradients, match_described_pair as match_described, match_in_rounds, match_pair as match_images,
+    match_points as match_by_moments, parallax_deviation as deviation,
 };
 use js_sys::{Int32Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -182,6 +185,30 @@ pub fn candidates(
     let (offset, options) = (read_offset(offset)?, read_options::<MatchOptions>("matching", options)?);
     let all = candidates_of(whole("index of the left point", index)?, left.parts(), right.parts(), &offset, &options).map_err(thrown)?;
     Ok(all.iter().flat_map(|c| [c.right as f64, c.measure]).collect())
+}
+
+/// How far the y-parallax of one left point is from those of its nearest matches, and how far it may be; absent where it has no place or nothing is near.
+/// Rules and places are those of a `MatchResult`.
+#[wasm_bindgen(unchecked_return_type = "ParallaxDeviation | undefined")]
+pub fn parallax_deviation(
+    index: &Number,
+    left_points: &Numbers,
+    rules: &Bytes,
+    places: &Numbers,
+    #[wasm_bindgen(unchecked_param_type = "OffsetField")] offset: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Given<MatchOptions>")] options: &JsValue,
+) -> JsResult<JsValue> {
+    let left = points("left points", &left_points.read("left points")?)?;
+    let (rules, places) = (rules.read("rules")?, places.read("places")?);
+    let position = |[x, y]: &[f64; 2]| (x.is_finite() && y.is_finite()).then_some([*x, *y]);
+    let verdict = |(rule, place)| Verdict { position: position(place), ..Verdict::none(rule) };
+    let rule =
+        |code: &u8| Rule::ALL.get(usize::from(*code)).copied().ok_or_else(|| wrong("rules", code.to_string(), "indices into rule_names()"));
+    let rules: Vec<Rule> = rules.iter().map(rule).collect::<JsResult<_>>()?;
+    let verdicts: Vec<Verdict> = rules.into_iter().zip(rows::<2>("places", &places)?).map(verdict).collect();
+    let (offset, options) = (read_offset(offset)?, read_options::<MatchOptions>("matching", options)?);
+    let found = deviation(whole("index of the left point", index)?, &left, &verdicts, &offset, &options).map_err(thrown)?;
+    Ok(found.map_or(JsValue::UNDEFINED, |found| pack(&found)))
 }
 
 /// Matches and orients a pair on one thread. Points whose pixel is 0 in the mask of their image, of its size and row by row, are left out.

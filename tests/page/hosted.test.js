@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { again, choose, done, hosted, number, open, pair, part, pngs, ROOT, sample, saved, SHOTS, SKIP, transferOf, upload, verdicts } from './page.js';
+import { again, choose, done, hosted, number, open, pair, part, pngs, ROOT, sample, saved, says, SHOTS, SKIP, transferOf, upload, verdicts } from './page.js';
 
 hosted('/some/folder/');
 
@@ -101,6 +101,18 @@ test('the table of matches sorts, filters, and is linked to the images both ways
   await close();
 });
 
+/** A y-parallax that its neighbours refuse is told with what it is and what is allowed.  @param {import('playwright-core').Page} page */
+async function beyondNeighbours(page) {
+  await part(page, 'tab-results').click();
+  for (const code of await page.locator('[data-testid^="show-"]').all()) await code.setChecked((await code.getAttribute('data-testid')) === 'show-6');
+  await part(page, 'view').focus();
+  for (let i = 0; i < 20 && !/y-parallax/.test((await part(page, 'selected').textContent()) ?? ''); i++) await page.keyboard.press('n');
+  const [, off = NaN, allowed = NaN] =
+    /differs from that of its nearest matches by ([\d.]+) px; ([\d.]+) px is allowed/.exec(await says(page, 'selected', /nearest matches by/))?.map(Number) ??
+    [];
+  assert.ok(off > allowed && allowed >= 1, `${off} ${allowed}`);
+}
+
 test('grey values: settings that have no effect are left out, a point shows what was compared', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await sample(page);
@@ -123,6 +135,8 @@ test('grey values: settings that have no effect are left out, a point shows what
   assert.equal(await part(page, 'point-moments').count(), 0);
   assert.match((await part(page, 'point-verdict').textContent()) ?? '', /Correlation 0\.\d+/);
   await page.screenshot({ path: join(SHOTS, 'grey-values.png') });
+  await choose(page, 'matching.strategy', 'moments');
+  await beyondNeighbours(page);
   assert.deepEqual(complaints, []);
   await close();
 });

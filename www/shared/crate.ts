@@ -43,6 +43,7 @@ export type {
   PairEdit,
   PairEdits,
   PairProject,
+  ParallaxDeviation,
   PairTruth,
   PairVerdict,
   PhotoFacts,

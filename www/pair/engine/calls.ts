@@ -18,6 +18,7 @@ import type {
   PairInput,
   PairInterior,
   PairProject,
+  ParallaxDeviation,
   PhotoInfo,
   ReducedImage,
   OrientedPair,
@@ -141,6 +142,10 @@ export interface PairCalls {
     output: MatchResult;
   };
   candidates: { input: MatchInput & { index: number; options: Settings['matching'] }; output: Float64Array };
+  parallaxDeviation: {
+    input: { index: number; points: Float64Array; match: Pick<MatchResult, 'rules' | 'places'>; offset: OffsetField; options: Settings['matching'] };
+    output: ParallaxDeviation | undefined;
+  };
   gradientCandidates: { input: { index: number; left: Uint8Array; right: Uint8Array; most: number }; output: Float64Array };
   epipolarLine: { input: LineInput; output: Float64Array };
   score: { input: ScoreInput; output: MatchScore };

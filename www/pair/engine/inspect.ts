@@ -118,6 +118,17 @@ async function candidatesOf(workers: Workers, state: State, left: number): Promi
   return worker.call('gradientCandidates', { index: left, left: of, right: among, most: MOST_CANDIDATES });
 }
 
+/** Its y-parallax beside those of its nearest matches, where the strategy has that rule. */
+async function parallaxOf(workers: Workers, state: State, left: number): Promise<Inspection['parallax']> {
+  const { matching } = settingsOf(state);
+  const { points } = pointsOf(state, 'left');
+  const offset = comparesGradients(settingsOf(state)) ? null : (state.results.offset?.value ?? null);
+  if (left < 0 || 3 * left >= points.length || offset === null) return null;
+  // As the rule had it: what was rejected by hand stood then.
+  const { rules, places } = needed(state, 'match');
+  return (await workers.client('pair').call('parallaxDeviation', { index: left, points, match: { rules, places }, offset, options: matching })) ?? null;
+}
+
 /** Windows of moments or grey values; for gradients the features. */
 async function comparedOf(workers: Workers, state: State, left: number): Promise<Pick<Inspection, 'left' | 'right' | 'features'>> {
   const { best, places } = matchOf(state);
@@ -141,8 +152,13 @@ async function comparedOf(workers: Workers, state: State, left: number): Promise
 export const inspection: Run<Inspection> = async (state, workers) => {
   const { best, rules } = matchOf(state);
   const left = leftIndexOf(state, best, rules);
-  const [compared, candidates, line] = await Promise.all([comparedOf(workers, state, left), candidatesOf(workers, state, left), lineOf(workers, state)]);
-  return { ...compared, candidates, line };
+  const [compared, candidates, parallax, line] = await Promise.all([
+    comparedOf(workers, state, left),
+    candidatesOf(workers, state, left),
+    parallaxOf(workers, state, left),
+    lineOf(workers, state),
+  ]);
+  return { ...compared, candidates, parallax, line };
 };
 
 /** Where the point that is measured may lie. */

@@ -3,7 +3,7 @@ import { resolved } from '../../shared/crate';
 import type { MatchResult, Settings } from '../../shared/crate';
 import { CODES, MATCHED, UNDECIDED } from '../state/codes';
 import type { CodeName } from '../state/codes';
-import { comparesGradients, comparesGreyValues } from '../state/keys';
+import { comparesGradients, comparesGreyValues, isCurrent } from '../state/keys';
 import { textOfCode } from '../state/labels';
 import { leftCodes, rightCodes } from '../state/select';
 import { leftIndexOf } from '../state/selected';
@@ -24,11 +24,18 @@ export function verdictOf(state: State, shown: ShownPair, match: MatchResult): {
   }
   const code = leftCodes(shown.left, match, shown.orientation)[leftIndex] ?? UNDECIDED;
   const own = selection.side === 'left' ? code : (rightCodes(shown.right, match, shown.orientation)[selection.index] ?? UNDECIDED);
+  const beside = code === CODES.indexOf('parallax') ? besideNeighbours(state) : null;
   const prefix = selection.side === 'right' && own === UNDECIDED ? `${say('candidate-of', { point: leftIndex + 1 })} ` : '';
   return {
     code,
-    text: `${prefix}${textOfCode(code)} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, settings)}`.trimEnd(),
+    text: `${prefix}${beside ?? `${textOfCode(code)} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, settings)}`}`.trimEnd(),
   };
+}
+
+/** A y-parallax that those of the nearest matches refuse, with both figures once they are looked up. */
+function besideNeighbours(state: State): string | null {
+  const { parallax = null } = isCurrent(state, 'inspection') ? (state.results.inspection?.value ?? {}) : {};
+  return parallax !== null && parallax.deviation_px > parallax.allowed_px ? say('parallax-beside', { ...parallax }) : null;
 }
 
 function numbers(code: CodeName, index: number, match: MatchResult, settings: Settings): string {

@@ -16,6 +16,7 @@ import type {
   Settings,
   PhotoInfo,
   OrientedPair,
+  ParallaxDeviation,
   WindowReport,
 } from '../../shared/crate';
 import { NO_HISTORY } from '../../shared/state/history';
@@ -109,6 +110,8 @@ export interface Inspection {
   features: Record<Side, FeatureView | PlaceView | null> | null;
   /** Stride 2: right index, measure; best first. Empty where the strategy searches the image in place of points. */
   candidates: Float64Array;
+  /** Its y-parallax beside those of its nearest matches; null where there is none, or the strategy does not compare them. */
+  parallax: ParallaxDeviation | null;
   line: SeenAt | null;
 }
 

@@ -707,6 +707,7 @@ low-correlation = الارتباط { FIXED($correlation, digits: 4) }؛ المس
 good-measure = أفضل مقاييسها { FIXED($best, digits: 4) } دون { $most }، و{ ratio }.
 large-measure = أفضل المقاييس { FIXED($best, digits: 4) }؛ المسموح دون { $most }.
 ambiguous = أفضل مقاييسها { FIXED($best, digits: 4) } هو { ratio }؛ المسموح حتى { $largest }.
+parallax-beside = مرفوضة: يختلف اختلاف منظرها الصادي عنه لأقرب المطابقات بمقدار { FIXED($deviation_px, digits: 2) } بكسل؛ والمسموح { FIXED($allowed_px, digits: 2) } بكسل، وهو التفاوت المسموح أو ثلاثة أمثال تشتتها حيث كان أكثر.
 parallax = التفاوت المسموح: { $tolerance } بكسل، أو ثلاثة أمثال تشتت جيرانها حيث كان أكثر.
 imprecise = المسموح حتى { $most } بكسل.
 distance = البعد { FIXED($best, digits: 4) }، { ratio }.

@@ -769,6 +769,7 @@ low-correlation = Correlation { FIXED($correlation, digits: 4) }; { $least } or 
 good-measure = Its best measure { FIXED($best, digits: 4) } is below { $most }, and { ratio }.
 large-measure = Best measure { FIXED($best, digits: 4) }; below { $most } is allowed.
 ambiguous = Its best measure { FIXED($best, digits: 4) } is { ratio }; up to { $largest } is allowed.
+parallax-beside = Rejected: its y-parallax differs from that of its nearest matches by { FIXED($deviation_px, digits: 2) } px; { FIXED($allowed_px, digits: 2) } px is allowed, the tolerance or three times their scatter where that is more.
 parallax = Tolerance: { $tolerance } px, or three times the scatter of its neighbours where that is more.
 imprecise = Up to { $most } px is allowed.
 distance = Distance { FIXED($best, digits: 4) }, { ratio }.

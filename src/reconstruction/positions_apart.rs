@@ -1,0 +1,33 @@
+//! Whether all GNSS positions lie apart from the block that ground control places, as heights above the ellipsoid do beside those above the sea: no single
+//! one of them shows it.
+
+use super::control_course::ControlTests;
+use super::frame::Frame;
+use super::mistake::Axis;
+use super::result::ReconstructedModel;
+use super::warning::BlockWarning;
+
+/// GNSS positions, at least, of which it is told that they have something in common.
+const LEAST_POSITIONS: usize = 4;
+
+/// The axis along which they are off the most, in standard errors, where that is beyond a limit.
+pub(super) fn of_common_positions(model: &ReconstructedModel, frame: &Frame, tests: &ControlTests, limit: f64) -> Option<BlockWarning> {
+    let datum = model.adjusted.datum;
+    let taking = model.adjusted.images.iter().filter(|image| image.gnss.is_some_and(|gnss| gnss.accepted)).count();
+    if !datum.uses_gnss() || !datum.uses_control() || model.adjusted.systematic.is_some() || taking < LEAST_POSITIONS {
+        return None;
+    }
+    let (block, accepted) = model.with_support();
+    let offset = model.adjusted.common_offset(&block, &accepted).ok()?;
+    let control = !tests.refused.is_empty() || tests.contradicting.is_some();
+    let of_axis = |axis: Axis| {
+        let offset = offset[axis.index()]?;
+        let focal = axis == Axis::Z && model.adjusted.block.cameras.iter().any(|camera| camera.free.focal);
+        let times = offset.value.abs() / offset.error;
+        Some((times, BlockWarning::PositionsApart { axis, difference_m: offset.value, times, focal, control }))
+    };
+    // What a height that was not recorded differs by tells nothing.
+    let observed = Axis::ALL.into_iter().filter(|axis| !(frame.is_levelled && *axis == Axis::Z));
+    let apart = observed.filter_map(of_axis).filter(|(times, _)| *times > limit);
+    apart.max_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, warning)| warning)
+}
