@@ -12,7 +12,8 @@ const weak = (warning) => /** @type {PairVerdict} */ (/** @type {unknown} */ ({ 
 const none = (reason) => /** @type {PairVerdict} */ (/** @type {unknown} */ ({ kind: 'not_oriented', no_orientation: { kind: reason } }));
 
 test('a camera is asked for where none is known, another one where the one that is used is doubted, and none where it does not help', () => {
-  for (const reason of ['no_camera', 'no_focal_length', 'no_pixel_size', 'altered']) assert.equal(cameraWanted(none(reason)), 'given', reason);
+  for (const reason of ['no_camera', 'no_focal_length', 'no_pixel_size', 'altered', 'plane_without_camera'])
+    assert.equal(cameraWanted(none(reason)), 'given', reason);
   for (const warning of ['unknown_camera', 'resized_or_cropped', 'cropped', 'other_pixels']) assert.equal(cameraWanted(weak(warning)), 'given', warning);
   for (const warning of ['focal_length', 'wide_angle', 'contradicted_focal', 'doubtful_focal']) assert.equal(cameraWanted(weak(warning)), 'other', warning);
   for (const verdict of [none('no_geometry'), none('one_photo'), weak('rotation'), weak('few_matches')]) assert.equal(cameraWanted(verdict), null);

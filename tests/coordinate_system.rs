@@ -139,6 +139,11 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
     let control = given.filter(|(_, line)| line.ends_with("control"));
     let edits: Vec<BlockEdit> = control.skip(2).map(|(point, _)| BlockEdit::SetUse { point, role: None }).collect();
     let local = run_of(None, None, RunInput { control: Some(texts.clone()), ..RunInput::default() }).unwrap();
+    // GNSS positions, of which nothing leads to that system, take no part, and a remark says so.
+    let without_system =
+        |run: &BlockRun| files(run)["summary.json"].contains("no part: the coordinate reference system of the control points is not named");
+    let unused = run_of(None, None, RunInput { control: Some(texts.clone()), use_gnss: false, ..RunInput::default() }).unwrap();
+    assert!(without_system(&local) && !without_system(both()) && !without_system(by_gnss()) && !without_system(&unused));
     let free = rows(&local.with_edits(&edits).unwrap());
     assert_eq!((free.len(), told(&free, "G1"), told(&free, "G3")), (all.len(), pair("control", "not placed"), pair("check", "not placed")));
     assert_eq!((told(&free, "G4"), told(&free, "X4")), (pair("off", "off"), pair("off", "off")));

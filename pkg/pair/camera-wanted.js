@@ -4,7 +4,17 @@
 /** @typedef {import('../node.js').Warning['kind'] | import('../node.js').NoOrientation['kind']} Reason */
 
 /** Reasons for no orientation, and warnings, that a camera answers: none is known, or hardly.  @type {readonly Reason[]} */
-const GIVEN = ['no_camera', 'no_focal_length', 'no_pixel_size', 'altered', 'unknown_camera', 'resized_or_cropped', 'cropped', 'other_pixels'];
+const GIVEN = [
+  'no_camera',
+  'no_focal_length',
+  'no_pixel_size',
+  'altered',
+  'plane_without_camera',
+  'unknown_camera',
+  'resized_or_cropped',
+  'cropped',
+  'other_pixels',
+];
 
 /** Warnings that doubt the camera that is used.  @type {readonly Reason[]} */
 const OTHER = ['focal_length', 'wide_angle', 'contradicted_focal', 'doubtful_focal'];

@@ -327,6 +327,7 @@ no-orientation-contradicted-focal = لا شيء يوافق البعد البؤر
 no-orientation-panorama = الصورة { $side } بانوراما: ليس لها منظور مركزي ولا كاميرا
 no-orientation-no-geometry = لا هندسة للمشهدين: { $no_geometry }
 no-orientation-pure-rotation = لا قاعدة (دوران خالص): تختلف الصورتان بدوران وحده
+no-orientation-plane-without-camera = توافق المطابقات كلها تقريبًا التحويل الإسقاطي لمستوى واحد، كما في أرض مستوية أو دوران خالص، وهو لا يحدد بعدًا بؤريًا: أعط الكاميرا
 no-orientation-one-photo = لا قاعدة: تُظهر الصورتان الشيء نفسه في المواضع نفسها (هل هي صورة واحدة مرتين؟)
 no-orientation-parts-of-one-image = لا قاعدة: تختلف الصورتان بإزاحة ودوران ومقياس فقط؛ وقد تكونان جزأين من صورة واحدة
 no-orientation-refused = { $error }
@@ -401,7 +402,7 @@ warning-few-matches = لم يشارك إلا { $matches } من المطابقا�
 warning-few-agree = لا يتفق مع التوجيه إلا { $accepted } من { $matches } من المطابقات.
 warning-mirrored = تُظهر الصورة اليمنى الأرض معكوسة كما في المرآة.
 warning-mirrored-marks = تقع العلامات الإطارية معكوسة في الصورة { $side }: هل المسح الضوئي معكوس، أم إحداثياتها؟
-warning-unknown-camera = لا يكاد البعد البؤري يُعرف، ولا تحدده المطابقات بما يكفي، وقد لا تصح المجالات: أعط الكاميرا.
+warning-unknown-camera = لا يكاد البعد البؤري يُعرف، ولا تحدده المطابقات، وقد لا تصح المجالات: أعط الكاميرا.
 warning-contradicted-focal = البعد البؤري المعطى { FIXED($given_px, digits: 0) } بكسل، لكن ملف الصورة { $side } يذكر { FIXED($file_px, digits: 0) } بكسل: هل الكاميرا لصور من قياس آخر أو عدسة أخرى أو تقريب آخر؟
 warning-doubtful-focal = البعد البؤري للصورة { $side } يساوي { SIGNIFICANT($sides, digits: 2) } من الضلع الأطول للصورة، والمعتاد من { $least } إلى { $most }: تحقق من البعد البؤري ومن قياس البكسل.
 warning-doubtful-distortion = تنقل تشوهات الصورة { $side } زاويةً من صورتها إلى { SIGNIFICANT($factor, digits: 2) } من بعدها عن النقطة الرئيسية، والمعتاد من { $least } إلى { $most }: تحقق من الحدود، ووحداتها مم⁻² ومم⁻⁴ ومم⁻⁶.
@@ -505,7 +506,10 @@ overview-warning-failed = لم يمكن توجيه أي صورة: { $failure }.
 ## Warnings about an adjusted block.
 
 block-warning-free =
-    لا مواضع مرصودة تحدد موضع النموذج ودورانه ومقياسه: هي اعتباطية{ $cause ->
+    { $without_heights ->
+        [0] لا مواضع مرصودة تحدد موضع النموذج ودورانه ومقياسه
+       *[other] لا تحدد مواضع GNSS، وعددها { $without_heights }، موضع النموذج ودورانه ومقياسه، إذ لا تُعرف ارتفاعاتها فوق صفر نقاط الضبط (--geoid، --geoid-m)، ولا تحددها نقاط ضبط موافقة
+    }: هي اعتباطية{ $cause ->
         [none] .
        *[other] {" "}({ $cause }).
     }
@@ -759,6 +763,7 @@ mistake-metres = يبدو ارتفاعها بالمتر: { $given } م تساو�
 mistake-digit = يبدو أن رقمًا في { $axis } لها كُتب خطأ: { $given } والموافق { $likely }.
 mistake-transposed = يبدو أن رقمين في { $axis } لها مبدَّلان: { $given } والموافق { $likely }.
 mistake-zone = تبدو إحداثياتها من المنطقة { $zone }.
+mistake-name = توافق قياساتها في الصور إحداثيات { $other }: يبدو أن اسميهما مبدَّلان.
 
 unit-millimetres = المليمتر
 unit-centimetres = السنتيمتر
@@ -802,10 +807,11 @@ remark-result-system =
        *[other] . وارتفاعاته من سطح خاص به: لم تشارك ارتفاعات مواضع GNSS. وهي { SIGN($gnss_above_m) ->
             [minus] أدنى
            *[plus] أعلى
-        } من ارتفاعات الكتلة بمقدار { AMOUNT($gnss_above_m, digits: 2) } م، أي نحو ارتفاع الجيوئيد (--geoid، --geoid-m) إذا كانت فوق الإهليلجي
+        } من ارتفاعات الكتلة بنحو { AMOUNT($gnss_above_m, digits: 0) } م: وهو ارتفاع الجيوئيد تقريبًا (--geoid، --geoid-m) إذا كانت فوق الإهليلجي
     }
+remark-gnss-without-system = لا تشارك مواضع GNSS، وعدد صورها { $positions }: لم يُسمَّ نظام الإحداثيات المرجعي لنقاط الضبط؛ سمِّه (--crs)
 remark-geoid = تُحسب الارتفاعات من جيوئيد { $name }، الذي يعلو المجسم الإهليلجي بمقدار { FIXED($low_m, digits: 2) } إلى { FIXED($high_m, digits: 2) } م حيث الصور
-remark-no-result-system = النتائج ليست في { $crs }: ليس للكتلة موضع على الأرض تعطيه مواضع GNSS أو نقاط الضبط
+remark-no-result-system = النتائج ليست في { $crs }: ليس للكتلة موضع على الأرض، وتعطيه نقاط ضبط موافقة، أو مواضع GNSS تُحسب ارتفاعاتها من الصفر نفسه
 remark-orthophoto-system-assumed = لا تذكر الصورة المصححة نظامها المرجعي للإحداثيات: أُخذت على أنها في { $crs }
 remark-orthophoto-converted =
     حُولت مواضع الصورة المصححة من { $orthophoto } إلى { $crs }{ $accuracy_m ->
@@ -987,8 +993,14 @@ place-slip-unit = إذا كانت الإحداثيات بوحدة { $given_in } 
 place-slip-coordinate = إذا كان { $likely } في الوسط كان الموضع صحيحًا.
 
 # أين تلتقي القياسات الصورية لنقاط الضبط.
-control-apart-heights = تلتقي هذه فوقها بمقدار { FIXED($up_m, digits: 2) } م في الوسيط (تحتها حيث يكون سالبًا)، ولا تكاد تبتعد عنها أفقيًا. هل تُحسب الارتفاعات من صفر آخر (--geoid-m)، أم هي بوحدة أخرى؟
-control-apart-places = تلتقي هذه على بعد { FIXED($across_m, digits: 2) } م منها أفقيًا و{ FIXED($up_m, digits: 2) } م ارتفاعًا في الوسيط. هل هي في نظام إحداثيات مرجعي آخر، أم بوحدة أخرى؟
+control-apart-heights = تلتقي هذه { SIGN($up_m) ->
+        [minus] تحتها
+       *[plus] فوقها
+    } بمقدار { AMOUNT($up_m, digits: 2) } م في الوسيط، ولا تكاد تبتعد عنها أفقيًا. هل تُحسب الارتفاعات من صفر آخر (--geoid-m)، أم هي بوحدة أخرى؟
+control-apart-places = تلتقي هذه على بعد { FIXED($across_m, digits: 2) } م منها أفقيًا و{ SIGN($up_m) ->
+        [minus] تحتها
+       *[plus] فوقها
+    } بمقدار { AMOUNT($up_m, digits: 2) } م في الوسيط. هل هي في نظام إحداثيات مرجعي آخر، أم بوحدة أخرى؟
 place-slip-unknown = هل هي الصورة المصححة لهذه الصور، وهل نظامها صحيح، أم المواقع خاطئة؟
 
 # Why a block is not in the system of an orthophoto.
@@ -1002,7 +1014,10 @@ not-linked-other-system =
 not-linked-few-images = أمكن وضع { $placed } من { $images } من الصور على الصورة المصححة، والمطلوب { $needed }: تحقق من أنها تُظهر الأرض نفسها ومن أن الارتفاعات ارتفاعات هذه الأرض
 not-linked-few-points = { $points } من مواضع أرضها تظهر في صورتين أو أكثر، والمطلوب { $needed }
 not-linked-disagreement = تناقض { $rejected } من { $points } من مواضع أرضها الكتلة: تحقق من الارتفاعات
-not-linked-contradiction = تناقضها نقاط الضبط الأرضية. تضع الصورة المصححة الكتلة على { FIXED($x_m, digits: 2) } م في X و{ FIXED($y_m, digits: 2) } م في Y و{ FIXED($z_m, digits: 2) } م في الارتفاع مما تضعها هذه النقاط: تحقق من نظام كليهما وارتفاعاته
+not-linked-contradiction = تناقضها نقاط الضبط الأرضية. تضع الصورة المصححة الكتلة على { FIXED($x_m, digits: 2) } م في X و{ FIXED($y_m, digits: 2) } م في Y، و{ SIGN($z_m) ->
+        [minus] أدنى
+       *[plus] أعلى
+    } بمقدار { AMOUNT($z_m, digits: 2) } م، مما تضعها هذه النقاط: تحقق من نظام كليهما وارتفاعاته
 not-linked-failed = { $failure }
 
 # Why an image has no place on an orthophoto.

@@ -820,6 +820,7 @@ no-orientation-contradicted-focal = nothing fits the given focal length of { FIX
 no-orientation-panorama = the { $side } image is a panorama: it has no central perspective, and no camera
 no-orientation-no-geometry = no geometry of the two views: { $no_geometry }
 no-orientation-pure-rotation = no base (pure rotation): the photos differ by a rotation alone
+no-orientation-plane-without-camera = nearly all matches fit the homography of one plane, as those of flat ground and of a rotation alone do, and that determines no focal length: give the camera
 no-orientation-one-photo = no base: both images show the same at the same places (is it one photo twice?)
 no-orientation-parts-of-one-image = no base: the images differ by a shift, a turn and a scale alone; both may be parts of one image
 no-orientation-refused = { $error }
@@ -891,7 +892,7 @@ warning-few-matches = Only { $matches } matches took part; as many may agree on 
 warning-few-agree = Only { $accepted } of { $matches } matches agree with the orientation.
 warning-mirrored = The right photo shows the ground mirrored.
 warning-mirrored-marks = The fiducial marks lie mirrored in the { $side } image: is the scan mirrored, or are their coordinates?
-warning-unknown-camera = The focal length is hardly known, and the matches do not tell it well enough; the intervals may not hold: give the camera.
+warning-unknown-camera = The focal length is hardly known, and the matches do not determine it; the intervals may not hold: give the camera.
 warning-contradicted-focal = The given focal length is { FIXED($given_px, digits: 0) } px, but the file of the { $side } image says { FIXED($file_px, digits: 0) } px: is the camera that of another photo size, lens or zoom?
 warning-doubtful-focal = The focal length of the { $side } photo is { SIGNIFICANT($sides, digits: 2) } times the longer side of its image, where { $least } to { $most } times are usual: check the focal length and the pixel size.
 warning-doubtful-distortion = The distortion of the { $side } photo takes a corner of its image to { SIGNIFICANT($factor, digits: 2) } times its distance from the principal point, where { $least } to { $most } times are usual: check the terms, which are in mm⁻², mm⁻⁴ and mm⁻⁶.
@@ -989,7 +990,11 @@ overview-warning-failed = No image could be oriented: { $failure }.
 ## Warnings about an adjusted block.
 
 block-warning-free =
-    No observed positions determine the position, rotation and scale of the model: they are arbitrary{ $cause ->
+    { $without_heights ->
+        [0] No observed positions determine the position, rotation and scale of the model
+        [one] The GNSS position does not determine the position, rotation and scale of the model, since its height above the zero of the control points is not known (--geoid, --geoid-m), and no control points that fit do
+       *[other] The { $without_heights } GNSS positions do not determine the position, rotation and scale of the model, since their heights above the zero of the control points are not known (--geoid, --geoid-m), and no control points that fit do
+    }: they are arbitrary{ $cause ->
         [none] .
        *[other] {" "}({ $cause }).
     }
@@ -1255,6 +1260,7 @@ mistake-metres = Its height seems to be in metres: { $given } m are { $likely } 
 mistake-digit = A digit of its { $axis } seems to be mistyped: { $given } where { $likely } would fit.
 mistake-transposed = Two neighbouring digits of its { $axis } seem to be transposed: { $given } where { $likely } would fit.
 mistake-zone = Its coordinates seem to be those of zone { $zone }.
+mistake-name = Its image measurements fit the coordinates of { $other }: the names of the two seem to be exchanged.
 
 unit-millimetres = millimetres
 unit-centimetres = centimetres
@@ -1294,13 +1300,18 @@ remark-result-system =
        *[other] . The shift from WGS 84 is that of { $operation }, accurate to { SIGNIFICANT($accuracy_m, digits: 1) } m
     }{ $gnss_above_m ->
         [none] {""}
-       *[other] . Its heights count from a level of their own: heights of GNSS positions took no part. They are { AMOUNT($gnss_above_m, digits: 2) } m { SIGN($gnss_above_m) ->
+       *[other] . Its heights count from a level of their own: heights of GNSS positions took no part. They are about { AMOUNT($gnss_above_m, digits: 0) } m { SIGN($gnss_above_m) ->
             [minus] lower
            *[plus] higher
-        } than those of the block, about the height of the geoid (--geoid, --geoid-m) where they are above the ellipsoid
+        } than those of the block: roughly the height of the geoid (--geoid, --geoid-m) where they are above the ellipsoid
     }
+remark-gnss-without-system =
+    the GNSS { $positions ->
+        [one] position of 1 image takes
+       *[other] positions of { $positions } images take
+    } no part: the coordinate reference system of the control points is not named; name it (--crs)
 remark-geoid = heights count from the geoid of { $name }, which lies { FIXED($low_m, digits: 2) } to { FIXED($high_m, digits: 2) } m above the ellipsoid where the images are
-remark-no-result-system = the results are not in { $crs }: the block is not georeferenced, which GNSS positions or control points would do
+remark-no-result-system = the results are not in { $crs }: the block is not georeferenced, which control points that fit would do, or GNSS positions whose heights count from the same zero
 remark-orthophoto-system-assumed = the orthophoto does not say its coordinate reference system: it is taken to be in { $crs }
 remark-orthophoto-converted =
     places of the orthophoto were converted from { $orthophoto } to { $crs }{ $accuracy_m ->
@@ -1474,8 +1485,14 @@ on-orthophoto-by-hand =
 on-orthophoto-not-linked = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
 
 # Where the image measurements of control points meet.
-control-apart-heights = these meet { FIXED($up_m, digits: 2) } m above them in the median (below them where that is negative), and hardly apart in plan. Do the heights count from another zero (--geoid-m), or are they in another unit?
-control-apart-places = these meet { FIXED($across_m, digits: 2) } m from them in plan and { FIXED($up_m, digits: 2) } m in height, in the median. Are they in another coordinate reference system, or in another unit?
+control-apart-heights = these meet { AMOUNT($up_m, digits: 2) } m { SIGN($up_m) ->
+        [minus] below
+       *[plus] above
+    } them in the median, and hardly apart in plan. Do the heights count from another zero (--geoid-m), or are they in another unit?
+control-apart-places = these meet { FIXED($across_m, digits: 2) } m from them in plan and { AMOUNT($up_m, digits: 2) } m { SIGN($up_m) ->
+        [minus] below
+       *[plus] above
+    } them, in the median. Are they in another coordinate reference system, or in another unit?
 
 # How an orthophoto, or positions of a table, may have come to lie elsewhere than the images.
 place-slip-zone = In zone { $zone } of UTM that would be the place: is the system named wrong?
@@ -1496,7 +1513,10 @@ not-linked-other-system =
 not-linked-few-images = { $placed } of { $images } images could be placed on the orthophoto, { $needed } are needed: check that it shows the same ground, and that the heights are those of this ground
 not-linked-few-points = { $points } places of its ground are shown by two images or more, { $needed } are needed
 not-linked-disagreement = { $rejected } of { $points } places of its ground contradict the block: check the heights
-not-linked-contradiction = the ground control points contradict it. The orthophoto has the block { FIXED($x_m, digits: 2) } m in X, { FIXED($y_m, digits: 2) } m in Y and { FIXED($z_m, digits: 2) } m in height from where they have it: check the system and the heights of both
+not-linked-contradiction = the ground control points contradict it. The orthophoto has the block { FIXED($x_m, digits: 2) } m in X, { FIXED($y_m, digits: 2) } m in Y and { AMOUNT($z_m, digits: 2) } m { SIGN($z_m) ->
+        [minus] below
+       *[plus] above
+    } where they have it: check the system and the heights of both
 not-linked-failed = { $failure }
 
 # Why an image has no place on an orthophoto.

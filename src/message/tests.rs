@@ -244,6 +244,31 @@ fn messages_within_messages_have_their_texts() {
 }
 
 #[test]
+fn heights_are_above_or_below_without_a_sign_to_read() {
+    let heights = |up_m| ControlApart::Heights { up_m }.to_string();
+    assert!(heights(-28.74).starts_with("these meet 28.74 m below them in the median, "), "{}", heights(-28.74));
+    assert!(heights(28.74).starts_with("these meet 28.74 m above them in the median, "), "{}", heights(28.74));
+    let places = |up_m| ControlApart::Places { across_m: 30.0, up_m }.to_string();
+    assert!(places(-2.5).starts_with("these meet 30.00 m from them in plan and 2.50 m below them, "), "{}", places(-2.5));
+    let arabic = |up_m| Texts::arabic().text(&ControlApart::Heights { up_m });
+    assert!(arabic(-28.74) != arabic(28.74) && !arabic(-28.74).contains("-28"), "{}", arabic(-28.74));
+}
+
+#[test]
+fn the_height_of_the_geoid_is_offered_as_it_is_known() {
+    let (crs, operation) = (String::new(), None);
+    let remark = Remark::ResultSystem { crs, operation, accuracy_m: None, gnss_above_m: Some(49.16) }.to_string();
+    assert!(remark.contains("They are about 49 m higher than those of the block"), "{remark}");
+}
+
+#[test]
+fn a_block_with_gnss_positions_that_do_not_place_it_does_not_say_that_there_are_none() {
+    let free = |without_heights| BlockWarning::Free { cause: None, without_heights }.to_string();
+    assert!(free(0).starts_with("No observed positions determine "), "{}", free(0));
+    assert!(free(12).starts_with("The 12 GNSS positions do not determine ") && free(12).ends_with("are arbitrary."), "{}", free(12));
+}
+
+#[test]
 fn a_language_without_catalogue_is_english() {
     let lost = |language| Texts::of(language).text(&UnorientedReason::NoPoints);
     assert_eq!(lost("de"), "it has no tie points");

@@ -51,6 +51,8 @@ messages! {
         /// The coordinate reference system of tables; the operation from it to WGS 84 with its accuracy, where the registry has one; how much higher GNSS
         /// positions are than where the block has them, where their heights took no part.
         ResultSystem { crs: String, operation: Option<String>, accuracy_m: Option<f64>, gnss_above_m: Option<f64> },
+        /// Images have GNSS positions, which are on the earth, and control points are in a system of which nobody says where it is.
+        GnssWithoutSystem { positions: usize },
         /// Heights count from the geoid of a file, which lies so high above the ellipsoid where the images are.
         Geoid { name: String, low_m: f64, high_m: f64 },
         /// The orthophoto does not say its coordinate reference system and is taken to be in that of the block.

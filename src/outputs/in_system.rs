@@ -131,7 +131,7 @@ impl<'a> InSystem<'a> {
             Some(ResultSystem { name: crs, operation, accuracy_m, gnss_above_m, .. }) => {
                 Some(Remark::ResultSystem { crs, operation, accuracy_m, gnss_above_m })
             }
-            None => crs().map(|crs| Remark::NoResultSystem { crs: shorten(&crs) }),
+            None => crs().map(|crs| Remark::NoResultSystem { crs: shorten(&crs) }).or_else(|| self.gnss_without_system()),
         });
         remarks.extend(self.geoid());
         remarks
@@ -148,6 +148,14 @@ impl<'a> InSystem<'a> {
         });
         let [low_m, high_m] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)]);
         (low_m <= high_m).then(|| Remark::Geoid { name: geoid.name.clone(), low_m, high_m })
+    }
+
+    /// GNSS positions that take no part, since nothing leads from the earth to the control points.
+    fn gnss_without_system(&self) -> Option<Remark> {
+        let BlockRun { input, model, images, .. } = self.run;
+        let positions = images.iter().filter(|image| image.gnss().is_some()).count();
+        (input.use_gnss && input.control.is_some() && model.origin.is_none() && positions > 0)
+            .then_some(Remark::GnssWithoutSystem { positions })
     }
 
     /// How much higher the GNSS positions are than where the block has them, where their heights take no part: the median.

@@ -1,6 +1,6 @@
 //! From two images to their matches and relative orientation.
 
-use super::cameras::are_scans;
+use super::cameras::{KnownPhoto, are_scans};
 use super::described::{DescribedImage, describe_image};
 use super::geometry::{PairInterior, known_photos, pair_interior};
 use super::input::{PairImage, PairInput};
@@ -71,10 +71,8 @@ pub fn match_described_pair(
     let found = geometry.as_ref().and_then(|geometry| geometry.as_ref().ok());
     let known = known_photos(left, right, input);
     let interior = match (interior, found) {
-        // No camera that may be assumed sees a panorama, and none takes the place of the one that was given.
-        (Err(reason @ NoOrientation::Panorama { .. }), _) => Err(reason),
-        (Err(reason), _) if input.camera.is_some() => Err(reason),
-        (Err(reason), Some(found)) => PairInterior::assumed(found, known).ok_or(reason),
+        // None takes the place of the camera that was given.
+        (Err(reason), Some(found)) if input.camera.is_none() => assumed(reason, found, known),
         (interior, _) => interior,
     };
     let is_rotation = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation));
@@ -99,6 +97,17 @@ pub fn match_described_pair(
     let [left, right] = described.map(|image| image.set);
     Ok(PairResult { left, right, offset, matching, geometry, interior: interior.ok(), orientation })
 }
+
+/// The interior orientations where no camera is known, for this reason; or why none can be assumed.
+fn assumed(reason: NoOrientation, found: &TwoView, known: [KnownPhoto<'_>; 2]) -> Result<PairInterior, NoOrientation> {
+    match reason {
+        // No camera that may be assumed sees it.
+        NoOrientation::Panorama { .. } => Err(reason),
+        // Of other pairs an unknown camera is assumed: what stands in the way is the plane.
+        _ => PairInterior::assumed(found, known).ok_or(NoOrientation::PlaneWithoutCamera),
+    }
+}
+
 /// So many times as long a focal length as the file says, or as short, explains that nothing fits.
 const FAR_OFF: f64 = 2.0;
 
@@ -116,7 +125,24 @@ fn by_camera(reason: NoOrientation, interior: Option<&PairInterior>) -> NoOrient
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{CameraMm, Interior, Side};
+    use crate::{CameraMm, Interior, Side, TwoViewModel};
+
+    #[test]
+    fn without_a_camera_a_plane_is_the_reason_and_not_the_missing_camera_with_which_other_pairs_are_oriented() {
+        let of = |model, reason| {
+            let found =
+                TwoView { model, inliers: vec![], threshold_px: 1.0, sigma_px: 0.3, degenerate: None, homography: None, focal: None };
+            assumed(reason, &found, [KnownPhoto { size: (640, 480), exif: None, has_marks: false }; 2]).err()
+        };
+        let plane = || TwoViewModel::Homography { homography: [[1.0, 0.0, 9.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] };
+        let general = || TwoViewModel::Fundamental { fundamental: [[0.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]] };
+        let side = Side::Left;
+        for reason in [NoOrientation::NoCamera { side }, NoOrientation::NoPixelSize { side }] {
+            assert_eq!(of(general(), reason.clone()), None);
+            assert_eq!(of(plane(), reason), Some(NoOrientation::PlaneWithoutCamera));
+        }
+        assert_eq!(of(general(), NoOrientation::Panorama { side }), Some(NoOrientation::Panorama { side }));
+    }
 
     #[test]
     fn a_focal_length_far_from_that_of_the_file_explains_that_nothing_fits() {

@@ -26,6 +26,8 @@ messages! {
         Panorama { side: Side },
         NoGeometry { no_geometry: NoGeometry },
         PureRotation,
+        /// No camera is known, and all matches fit the map of a plane: of that no camera can be assumed.
+        PlaneWithoutCamera,
         /// Both images show the same at the same places.
         OnePhoto,
         /// The images differ by a shift, a turn and a scale alone.

@@ -60,7 +60,9 @@ pub(super) fn explain_control(model: &mut ReconstructedModel, origin: Option<Geo
         let within = [0, 1, 2].map(|k| limit * errors[k] / units[k]);
         let doubted = Doubted { given, likely, height_unit_m: units[2], within };
         let zone = in_other_zone(&system, given, |place| doubted.explains(place));
-        *mistake = zone.map(|zone| Mistake::Zone { zone }).or_else(|| doubted.mistake());
+        if !matches!(mistake, Some(Mistake::Name { .. })) {
+            *mistake = zone.map(|zone| Mistake::Zone { zone }).or_else(|| doubted.mistake());
+        }
         *axis = doubted.axis();
         *difference_m = apart[axis.index()];
         if let Some(detectable) = detectable_m {

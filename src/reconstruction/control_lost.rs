@@ -76,7 +76,7 @@ pub(super) fn of_unplaced(
 ) -> Option<BlockWarning> {
     let given = description.control.iter().take(own).filter(|point| point.role == ControlRole::Control).count();
     let is_told = told.iter().any(|warning| match warning {
-        BlockWarning::Free { cause } => cause.is_some(),
+        BlockWarning::Free { cause, .. } => cause.is_some(),
         BlockWarning::ControlShape { .. } | BlockWarning::ControlUnadjusted { .. } | BlockWarning::Degrees => true,
         _ => false,
     });

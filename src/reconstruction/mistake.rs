@@ -45,6 +45,8 @@ messages! {
         Transposed { axis: Axis, given: String, likely: String },
         /// The coordinates are those of another zone of the same system.
         Zone { zone: u32 },
+        /// The point was measured where this other one was surveyed.
+        Name { other: String },
     }
 }
 
@@ -115,6 +117,11 @@ impl Doubted {
     pub fn axis(&self) -> Axis {
         let off = |axis: &Axis| (self.given[axis.index()] - self.likely[axis.index()]).abs() / self.within[axis.index()];
         Axis::ALL.into_iter().max_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(Axis::X)
+    }
+
+    /// Whether the other observations have the point where another one was surveyed, far from its own coordinates.
+    pub fn is_of_another(&self, other: [f64; 3]) -> bool {
+        self.explains(other) && (0..3).any(|k| self.is_large(k))
     }
 
     /// Whether coordinates are where the other observations have the point.

@@ -16,6 +16,7 @@ mod control_telling;
 mod control_test;
 mod control_tests;
 mod draft;
+mod exchanged_names;
 mod finish;
 mod frame;
 mod growth;

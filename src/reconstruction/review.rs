@@ -6,6 +6,7 @@ use super::control_course::{ControlTests, Refused};
 use super::control_lost::{of_lost, of_unplaced};
 use super::control_shape::of_shape;
 use super::control_spread::of_spread;
+use super::exchanged_names::name_exchanged;
 use super::frame::Frame;
 use super::level::{LEVEL_DEG, UNCERTAIN_TURN_DEG, uncertainty_deg};
 use super::material::Known;
@@ -47,7 +48,8 @@ pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: P
             let error_deg = error_deg.filter(|error| *error < UNKNOWN_TURN_DEG);
             Some(BlockWarning::Levelled { recorded, error_deg, level_deg: LEVEL_DEG })
         }
-        Placing::Free { cause } => Some(BlockWarning::Free { cause }),
+        Placing::Free { cause: None } => Some(BlockWarning::Free { cause: None, without_heights: without_heights(model) }),
+        Placing::Free { cause } => Some(BlockWarning::Free { cause, without_heights: 0 }),
     });
     let own_control = known.options.tested_control.unwrap_or(usize::MAX);
     found.extend(of_lost(model, description, frame, own_control));
@@ -67,7 +69,13 @@ pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: P
     found.extend(of_cameras(model, description));
     found.extend(of_images(model, description));
     found.extend(of_observations(model));
+    name_exchanged(&mut found, &model.surveyed, known.options.adjustment.limit());
     found
+}
+
+/// GNSS positions whose heights do not count from where those of control points do.
+fn without_heights(model: &ReconstructedModel) -> usize {
+    model.adjusted.block.images.iter().filter(|image| image.gnss.is_some_and(|gnss| gnss.sigma[2].is_none())).count()
 }
 
 fn of_sigma(model: &ReconstructedModel) -> Option<BlockWarning> {

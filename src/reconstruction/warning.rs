@@ -12,8 +12,13 @@ messages! {
     #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
     #[non_exhaustive]
     pub enum BlockWarning as "block_warning" {
-        /// Nothing determines its position, rotation and scale. `cause`: why what was observed does not.
-        Free { cause: Option<Cause> },
+        /// Nothing determines its position, rotation and scale. `cause`: why what was observed does not; `without_heights`: GNSS positions that are there,
+        /// and whose heights are not known where those of control points count from.
+        Free {
+            cause: Option<Cause>,
+            #[serde(default)]
+            without_heights: usize,
+        },
         /// What was observed lies along a line, about which the block may turn. `tilt_deg`: of the views, where they are not vertical.
         UnknownRotation { observed: Observed, tilt_deg: Option<f64> },
         /// The angles of no image are known better than `error_deg`.
@@ -180,7 +185,7 @@ impl BlockWarning {
     /// Whether it speaks against the model as a whole: others tell what is weak of it, or what was done about it.
     pub(crate) fn is_weakness(&self) -> bool {
         match self {
-            Self::Free { cause } => cause.is_some(),
+            Self::Free { cause, .. } => cause.is_some(),
             // Of a wall or a street that was taken for the ground nothing tells.
             Self::Levelled { recorded, error_deg, .. } => !recorded && error_deg.is_none_or(|error| error > UNKNOWN_TURN_DEG),
             // The block is what it is without check points.

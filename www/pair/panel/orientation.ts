@@ -247,7 +247,7 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
     {
       name: say('iterations-last-step'),
       testid: 'iterations',
-      value: `${String(result.iterations)}, ${significant(result.last_step)}`,
+      value: say('of-the-tolerance', { iterations: String(result.iterations), step: significant(result.last_step) }),
       help: say('the-last-step-relative-to'),
     },
     {
