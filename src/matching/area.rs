@@ -3,9 +3,9 @@
 use super::coarse_to_fine::CoarseToFine;
 use super::cross_correlation::{CrossCorrelation, SearchArea};
 use super::least_squares::{Fit as Found, LeastSquaresOptions, Refusal};
+use super::positions::check_positions;
 use super::region::Region;
 use super::rules::judge;
-use super::search::check_positions;
 use super::surface::{Peak, Surface};
 use super::{Expectation, Fit, MatchImage, MatchOptions, MatchSet, Rule, Verdict};
 use crate::{Error, GreyImage, GreyView, Input, halve};

@@ -19,6 +19,7 @@ mod options;
 mod outcome;
 mod parallax;
 mod parallax_gradient;
+mod positions;
 mod products;
 mod refine;
 mod region;

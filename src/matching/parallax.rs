@@ -1,7 +1,7 @@
 //! The rule of y-parallax: neighbouring matches have nearly the same.
 
 use super::neighbours::Neighbours;
-use super::search::check_positions;
+use super::positions::check_positions;
 use super::{MatchOptions, OffsetField, Rule, Verdict};
 use crate::error::refuse;
 use crate::math::median;

@@ -1,6 +1,7 @@
 //! The best candidate of each point in its search window, and the rules it must pass.
 
 use super::index::PositionIndex;
+use super::positions::check_positions;
 use super::rules::judge;
 use super::{Denominator, Expectation, MatchOptions, MatchSet, Rule, Verdict};
 use crate::error::refuse;
@@ -164,16 +165,6 @@ fn check_described(input: Input, (points, descriptors): Described<'_>) -> Result
         return refuse(Refusal::DescribedPoints { input, points: points.len(), descriptors: descriptors.len() });
     }
     check_positions(input, points)
-}
-
-/// Refuses positions that are no numbers, or far from any image.
-pub(super) fn check_positions(input: Input, points: &[InterestPoint]) -> Result<(), Error> {
-    // A position beyond this is no pixel, and an index must not allocate for it.
-    let far = |v: f64| !(-1e6..=1e6).contains(&v);
-    if let Some(point) = points.iter().find(|p| far(p.x) || far(p.y)) {
-        return refuse(Refusal::FarPosition { input, x: point.x, y: point.y });
-    }
-    Ok(())
 }
 
 #[cfg(test)]
