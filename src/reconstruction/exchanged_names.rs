@@ -1,4 +1,4 @@
-//! Control points that were measured, or surveyed, under each other's names.
+//! Control and check points that were measured, or surveyed, under each other's names.
 
 use super::mistake::{Doubted, Mistake};
 use super::result::SurveyedPoint;
@@ -7,7 +7,9 @@ use super::warning::BlockWarning;
 /// Names the point as which each refused one was measured. `limit`: of a test.
 pub(super) fn name_exchanged(warnings: &mut [BlockWarning], surveyed: &[SurveyedPoint], limit: f64) {
     for warning in warnings {
-        let BlockWarning::ControlRefused { point, mistake, .. } = warning else { continue };
+        let (BlockWarning::ControlRefused { point, mistake, .. } | BlockWarning::CheckRefused { point, mistake, .. }) = warning else {
+            continue;
+        };
         let own = surveyed.iter().find(|surveyed| surveyed.name == *point);
         if let Some(other) = own.and_then(|own| fitting(own, surveyed, limit)) {
             *mistake = Some(Mistake::Name { other });
@@ -17,7 +19,7 @@ pub(super) fn name_exchanged(warnings: &mut [BlockWarning], surveyed: &[Surveyed
 
 /// The one other point whose coordinates lie where the other observations have this one.
 fn fitting(own: &SurveyedPoint, surveyed: &[SurveyedPoint], limit: f64) -> Option<String> {
-    let left = own.left_out?;
+    let left = own.without()?;
     let likely = [0, 1, 2].map(|k| own.position[k] + left.difference[k]);
     let within = left.standard_errors.map(|error| limit * error);
     let doubted = Doubted { given: own.position, likely, height_unit_m: 1.0, within };
@@ -74,6 +76,25 @@ mod tests {
         // Of a coordinate that is wrong no other point is the reason, nor is one that differs in height alone.
         assert_eq!(of_g6([[410.0, 80.0, 12.0], PLACES[1], PLACES[2]]), None);
         assert_eq!(of_g6([[103.0, 160.0, 31.0], PLACES[1], PLACES[2]]), None);
+    }
+
+    #[test]
+    fn a_check_point_that_was_measured_under_the_name_of_a_control_point_is_told() {
+        let surveyed = [
+            SurveyedPoint { role: ControlRole::Check, left_out: None, ..point("C1", PLACES[0], PLACES[1]) },
+            point("G7", PLACES[1], PLACES[0]),
+        ];
+        let of = |point: &str| BlockWarning::CheckRefused {
+            point: point.into(),
+            axis: Axis::X,
+            difference_m: -297.0,
+            error_m: 0.6,
+            mistake: None,
+        };
+        let mut warnings = [of("C1")];
+        name_exchanged(&mut warnings, &surveyed, 3.3);
+        let told = Some(Mistake::Name { other: "G7".into() });
+        assert!(matches!(&warnings, [BlockWarning::CheckRefused { mistake, .. }] if *mistake == told), "{warnings:?}");
     }
 
     #[test]

@@ -37,7 +37,7 @@ pub(super) struct Course<'a> {
     /// Those that agreed at the start, and whether all these are kept: too many were refused since.
     pub agreed: Vec<bool>,
     pub keeps_agreed: bool,
-    /// Whether rejected rays were taken back after the first rounds.
+    /// Whether rejected rays were taken back after the first rounds, since groups were weighted last.
     pub is_reconsidered: bool,
     pub start: State,
     /// How many rays were accepted at the start, and how many of which no standard error is stated.

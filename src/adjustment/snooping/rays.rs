@@ -11,7 +11,8 @@ use crate::adjustment::scale::sigma_by_median;
 use crate::adjustment::statistics::judge_by;
 use crate::math::{normal_median_within, weighted_median};
 
-/// Rounds of least squares in which what was rejected may come back; rays may once more at most, so that the rounds end.
+/// Rounds of least squares in which what was rejected may come back; rays may once more at most with the same weights of
+/// groups, so that the rounds end.
 pub(super) const FREE_ROUNDS: usize = 2;
 
 /// Cofactors of an earlier round serve as long as they tell the same σ₀ but for this share.

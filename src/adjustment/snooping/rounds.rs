@@ -312,6 +312,8 @@ impl<'a> Course<'a> {
         let changed = self.weights.update(&sums, round.weighted_by);
         if changed {
             self.weights.state_anew(&mut self.block, self.given);
+            // What was rejected by other weights is judged by these.
+            self.is_reconsidered = false;
         }
         Ok(changed.then_some(Outcome::Weighted))
     }
