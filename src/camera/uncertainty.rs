@@ -104,7 +104,9 @@ impl CameraUncertainty {
     /// principal point anywhere up to `reach` from the middle, in focal lengths, uniformly distributed.
     pub(crate) fn of_part(self, focal: f64, reach: f64) -> Self {
         let with = |own: f64, other: f64| libm::hypot(own, other).min(*LIMITS.end());
-        Self { focal: with(self.focal, focal), principal_point: with(self.principal_point, reach / 3.0_f64.sqrt()), ..self }
+        // What a cut is suspected of where none is seen is not counted beside one that is.
+        let uncut = self.principal_point.min(Self::EXIF.principal_point);
+        Self { focal: with(self.focal, focal), principal_point: with(uncut, reach / 3.0_f64.sqrt()), ..self }
     }
 
     /// Of a camera that is known without error.
