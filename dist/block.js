@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, takeHere, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asFigure, asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -202,8 +202,14 @@ function placingKey({ placing: { orthophoto, heights, options }, options: { came
 	]);
 }
 function placingKeyOf(key, { film, positions }, image) {
-	const own = [filmOf(film, image), positions.get(image) ?? null];
-	return own.every((given) => given === null) ? key : JSON.stringify([key, ...own]);
+	return keyWith(key, filmOf(film, image), positions.get(image) ?? null);
+}
+function keyWith(key, film, position) {
+	return film === null && position === null ? key : JSON.stringify([
+		key,
+		film,
+		position
+	]);
 }
 function placedFiles(state) {
 	return listed(state.files, state.placing.placed, placingKey(state), state.placing.film, givenPositions(state));
@@ -425,7 +431,7 @@ function reducePlacing(placing, action) {
 		};
 		case "placed": return {
 			...placing,
-			placed: new Map([...placing.placed, [action.image, action.placed]])
+			placed: new Map([...placing.placed, [action.image.id, action.placed]])
 		};
 		case "choosePlaced":
 			if (isSameLooked(placing.chosen, action.looked)) return placing;
@@ -1090,7 +1096,7 @@ var PlacingEngine = class {
 				const result = steps.length === 0 ? found : await this.adjust(file, found, steps).catch(() => found);
 				this.store.dispatch({
 					type: "placed",
-					image: id,
+					image: file,
 					placed: {
 						key: placingKeyOf(key, {
 							film,
@@ -1485,6 +1491,7 @@ var BlockEngine = class {
 	kept = new Map();
 	recorded = () => void 0;
 	port = null;
+	told = null;
 	reading = null;
 	heldIn = -1;
 	spare = null;
@@ -1555,6 +1562,7 @@ var BlockEngine = class {
 		} finally {
 			channel.port1.close();
 			if (this.port === channel.port1) this.port = null;
+			if (this.told === channel.port1) this.told = null;
 		}
 	}
 	cancel() {
@@ -1568,6 +1576,13 @@ var BlockEngine = class {
 		window.setTimeout(() => {
 			if (isBusy(this.store.state) && this.port === null && this.writing === null) this.block.cancel();
 		}, port === null ? EXPORT_PATIENCE_MS : PATIENCE_MS);
+	}
+	leave() {
+		if (this.told === null) return;
+		this.told.onmessage = null;
+		this.port = null;
+		this.pool.cancel();
+		this.block.cancel();
 	}
 	get records() {
 		return this.kept;
@@ -1736,6 +1751,7 @@ var BlockEngine = class {
 	}
 	listen(port, files) {
 		this.port = port;
+		this.told = port;
 		port.onmessage = (event) => {
 			const message = event.data;
 			if (message.kind === "keep") {
@@ -2776,6 +2792,407 @@ function editsOfDraft({ of, places }) {
 		observations
 	}];
 }
+// www/block/state/joining.ts
+function placesOf$3({ observations }) {
+	return observations.filter(({ part }) => part !== "rejected_by_hand").map(({ image, x_px, y_px, by_hand }) => ({
+		image,
+		x_px,
+		y_px,
+		by: by_hand ? "hand" : "least_squares"
+	}));
+}
+var ONE_PLACE_PX = 5;
+function apart(points) {
+	let farthest = null;
+	const seen = new Map();
+	for (const point of points) for (const { image, x_px, y_px } of placesOf$3(point)) {
+		const others = seen.get(image) ?? [];
+		for (const [x, y] of others) {
+			const px = Math.hypot(x - x_px, y - y_px);
+			if (px > (farthest?.px ?? ONE_PLACE_PX)) farthest = {
+				image,
+				px
+			};
+		}
+		seen.set(image, [...others, [x_px, y_px]]);
+	}
+	return farthest;
+}
+function joined(points) {
+	const [first, ...others] = [...points].sort((a, b) => rank(b) - rank(a));
+	if (first?.id == null || others.length === 0 || others.some(isSurveyed)) return null;
+	const rejected = (isSurveyed(first) ? others : [first, ...others]).flatMap(({ id }) => id ?? []);
+	const places = new Map();
+	for (const point of [first, ...others]) for (const place of placesOf$3(point)) if (!places.has(place.image)) places.set(place.image, place);
+	const reject = {
+		kind: "reject_points",
+		points: rejected
+	};
+	if (!isSurveyed(first)) return places.size < 2 ? null : [reject, {
+		kind: "add_point",
+		observations: [...places.values()]
+	}];
+	const { id } = first;
+	const own = new Set(first.observations.map(({ image }) => image));
+	const measured = [...places.values()].filter(({ image }) => !own.has(image));
+	return measured.length === 0 ? null : [reject, ...measured.map((place) => ({
+		kind: "measure",
+		point: id,
+		...place
+	}))];
+}
+function isSurveyed({ id }) {
+	return id !== null && "ground_control" in id;
+}
+function rank(point) {
+	return isSurveyed(point) ? Infinity : placesOf$3(point).length;
+}
+function split(point, images) {
+	if (point.id === null || isSurveyed(point)) return null;
+	const places = placesOf$3(point);
+	const [within, beside] = [true, false].map((is) => places.filter(({ image }) => images.includes(image) === is));
+	if (within === void 0 || beside === void 0 || within.length < 2 || beside.length < 2) return null;
+	return [
+		{
+			kind: "reject_points",
+			points: [point.id]
+		},
+		{
+			kind: "add_point",
+			observations: within
+		},
+		{
+			kind: "add_point",
+			observations: beside
+		}
+	];
+}
+// www/block/state/timeline.ts
+var timeline = remember((history, marks) => {
+	const steps = [];
+	let next = 0;
+	const editsUpTo = (end) => {
+		for (; next < Math.min(end, history.edits.length); next += 1) steps.push({
+			of: "edits",
+			at: next
+		});
+	};
+	marks.edits.forEach(({ after }, at) => {
+		editsUpTo(after);
+		steps.push({
+			of: "marks",
+			at
+		});
+	});
+	editsUpTo(Infinity);
+	const holds = ({ of, at }) => at < (of === "edits" ? history : marks).done;
+	return {
+		edits: [...steps.filter(holds), ...steps.filter((step) => !holds(step))],
+		done: history.done + marks.done
+	};
+});
+function timelineOf({ history, marks }) {
+	return timeline(history, marks);
+}
+function heldAt(both, place) {
+	const first = timelineOf(both).edits.slice(0, Math.max(0, place));
+	const marks = first.filter(({ of }) => of === "marks").length;
+	return {
+		edits: first.length - marks,
+		marks
+	};
+}
+// www/block/panel/edits.ts
+function editOf({ selection, shown }, kind, whole = false) {
+	return shown === null ? null : editOfChoice(kind, selection.chosen, shown.view, standingOf(shown.edits), whole);
+}
+function makeEdit(store, edit) {
+	if (edit === null) return;
+	if (store.state.running.kind === "yes") store.dispatch({
+		type: "notice",
+		notice: {
+			kind: "info",
+			text: say("edits-wait-for-the-run"),
+			beside: true
+		}
+	});
+	else store.dispatch({
+		type: "edit",
+		edits: [edit]
+	});
+}
+function stepBy(store, by) {
+	if (store.state.draft !== null) {
+		store.dispatch({
+			type: "draft",
+			draft: null
+		});
+		return;
+	}
+	goTo(store, heldAt(store.state, timelineOf(store.state).done + by));
+}
+function goTo(store, { edits, marks: steps }) {
+	const { state } = store;
+	if (edits !== state.history.done && !isEditable(state)) return;
+	if (removesOthers(state.marks, {
+		...state.marks,
+		done: steps
+	}) && isBusy(state)) {
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: say("edits-wait-for-the-run"),
+				beside: true
+			}
+		});
+		return;
+	}
+	if (edits !== state.history.done) store.dispatch({
+		type: "goto",
+		done: edits
+	});
+	if (steps !== state.marks.done) store.dispatch({
+		type: "gotoMark",
+		done: steps
+	});
+}
+function nameOfTimed({ history, marks }, { of, at }, names) {
+	const [edit, mark] = [history.edits[at], marks.edits[at]];
+	if (of === "edits") return edit === void 0 ? "" : nameOfStep(edit, names);
+	return mark === void 0 ? "" : nameOfMarks(mark);
+}
+function namesIn({ shown, history }) {
+	return shown === null ? NO_NAMES : namedIn(shown.found, history.edits);
+}
+var namedIn = remember((found, steps) => {
+	const names = namesOf$1(found);
+	const added = [...addedPoints(steps.flat(), found.givenControl).values()].map(({ edit, control }) => [control, edit.name]);
+	return added.length === 0 ? names : {
+		...names,
+		surveyed: new Map([...names.surveyed, ...added])
+	};
+});
+// www/block/panel/edit-bar.ts
+function makeStep(store, edits) {
+	if (edits !== null) store.dispatch({
+		type: "edit",
+		edits
+	});
+}
+var MOST_JOINED = 8;
+function toJoin({ selection, shown }, facts) {
+	const points = pointsOf(selection.chosen);
+	if (shown === null || points.length < 2 || points.length > MOST_JOINED || points.some((point) => point >= shown.view.points.taking)) return null;
+	const details = [...points].flatMap((point) => facts.point(point) ?? []);
+	return details.length < points.length || joined(details) === null ? null : details;
+}
+function join(store, facts) {
+	const points = toJoin(store.state, facts);
+	if (points === null) return;
+	const far = apart(points);
+	if (far === null) {
+		makeStep(store, joined(points));
+		return;
+	}
+	const image = store.state.shown?.view.images[far.image]?.name ?? "";
+	store.dispatch({
+		type: "notice",
+		notice: {
+			kind: "problem",
+			text: say("not-joined", {
+				image,
+				px: fixed(far.px, 0)
+			}),
+			beside: true
+		}
+	});
+}
+function splitOf({ selection, shown, panes }, facts) {
+	const [point, ...more] = pointsOf(selection.chosen);
+	if (shown === null || point === void 0 || more.length > 0 || point >= shown.view.points.taking) return null;
+	const detail = facts.point(point);
+	return detail === null ? null : split(detail, shownImages(panes, shown.view));
+}
+function removalOf({ files, selection, shown, history }) {
+	const out = removable(files, selection.chosen, shown?.view.images ?? []);
+	return out.length === 0 ? null : {
+		kind: "remove_images",
+		files: out.map(({ id }) => id),
+		after: history.done
+	};
+}
+function removeImages(store) {
+	const step = removalOf(store.state);
+	if (step !== null) store.dispatch({
+		type: "mark",
+		step
+	});
+}
+function addedIn({ shown, history }) {
+	return addedPoints(editsInForce(history), shown?.view.givenControl ?? 0);
+}
+function titleOf$1(edit, otherwise, names) {
+	return capital(edit === null ? otherwise : nameOfEdit(edit, names)).replace(/ 1 /u, " ");
+}
+function capital(name) {
+	return name.charAt(0).toUpperCase() + name.slice(1);
+}
+function mountEditBar(store, facts, measures) {
+	const undo = button(say("undo-sign"), "block-undo", () => stepBy(store, -1));
+	const redo = button(say("redo-sign"), "block-redo", () => stepBy(store, 1));
+	const reject = button(say("reject"), "block-reject", () => makeEdit(store, editOf(store.state, "reject")), say("take-what-is-chosen-out"));
+	const whole = button(say("reject-point"), "block-reject-point", () => makeEdit(store, editOf(store.state, "reject", true)), say("take-the-point-with-all"));
+	const restore = button(say("restore"), "block-restore", () => makeEdit(store, editOf(store.state, "restore")), say("use-what-is-chosen-again"));
+	const remove = button(say("remove-image"), "block-remove-image", () => removeImages(store), say("take-the-chosen-image-out"));
+	const measure = button(say("measure-it"), "block-measure", () => {
+		if (store.state.onStage !== "images") store.dispatch({
+			type: "stage",
+			view: "images"
+		});
+		measures()?.toggle(false);
+	}, say("measure-the-chosen-point-in"));
+	const add = button(say("add-point"), "block-add-point", () => measures()?.toggle(true), say("measure-a-new-tie-point"));
+	const joining = button(say("join"), "block-join", () => join(store, facts), say("the-chosen-points-are-one"));
+	const parting = button(say("split"), "block-split", () => makeStep(store, splitOf(store.state, facts)), say("the-point-is-two-one"));
+	const match = button(say("match-it"), "block-match", () => measures()?.match(), say("match-the-point-in-the"));
+	const accept = button(say("accept"), "block-accept", () => measures()?.accept(), say("the-point-is-measured-enter"));
+	const leave = button(say("cancel"), "block-leave", () => measures()?.leave(), say("give-what-is-measured-up"));
+	const [use, useSelect] = choice(say("use-as"), "block-use", USES, (value) => {
+		const surveyed = surveyedChoice(store.state, facts);
+		const role = value === "control" || value === "check" ? value : null;
+		if (surveyed !== null) makeEdit(store, {
+			kind: "set_use",
+			point: surveyed.point,
+			use: role
+		});
+	});
+	const text = h("span", {
+		class: "edit-text",
+		testid: "block-edit-text",
+		role: "status",
+		aria: { live: "polite" }
+	});
+	const bar = h("div", {
+		class: "toolbar edit-bar",
+		testid: "block-edit-bar",
+		role: "toolbar",
+		aria: { label: say("edits-by-hand") }
+	}, ...[
+		undo,
+		redo,
+		reject,
+		whole,
+		restore,
+		remove,
+		joining,
+		parting,
+		measure,
+		add,
+		match,
+		accept,
+		leave,
+		use,
+		text
+	]);
+	const counterparts = new Map([
+		[reject, [restore]],
+		[whole, [restore]],
+		[restore, [reject]],
+		[undo, [redo]],
+		[redo, [undo]]
+	]);
+	const show = () => {
+		const { state } = store;
+		const held = bar.contains(document.activeElement) ? document.activeElement : null;
+		const { chosen } = state.selection;
+		bar.hidden = !isEditable(state);
+		const names = namesIn(state);
+		showSteps(undo, redo, timelineOf(state), (one) => nameOfTimed(state, one, names));
+		const [off, point, on] = [
+			editOf(state, "reject"),
+			editOf(state, "reject", true),
+			editOf(state, "restore")
+		];
+		const drafting = state.draft !== null;
+		set(reject, titleOf$1(off, say("reject"), NO_NAMES), off === null);
+		set(restore, titleOf$1(on, say("restore"), NO_NAMES), on === null);
+		reject.hidden = drafting || off === null && on !== null;
+		restore.hidden = drafting || on === null;
+		whole.hidden = drafting || chosen?.kind !== "observation" || point === null;
+		const removal = removalOf(state);
+		remove.hidden = drafting || removal === null;
+		set(remove, removal === null || removal.files.length === 1 ? say("remove-image") : capital(nameOfMarks(removal)), false);
+		const inImages = state.onStage === "images";
+		const given = chosen?.kind === "given";
+		measure.hidden = drafting || !(inImages || given);
+		const { taking = 0 } = state.shown?.view.points ?? {};
+		measure.disabled = chosen?.kind !== "given" && (chosen?.kind !== "point" && chosen?.kind !== "observation" || chosen.point >= taking);
+		add.hidden = drafting || !inImages;
+		joining.hidden = drafting || toJoin(state, facts) === null;
+		parting.hidden = drafting || !inImages || splitOf(state, facts) === null;
+		match.hidden = !inImages || (measure.disabled || given) && !drafting;
+		accept.hidden = !drafting;
+		accept.disabled = state.draft === null || stepOfDraft(state.draft, state.shown?.view.images.map(({ name }) => name) ?? [], state.history.done, addedIn(state)) === null;
+		leave.hidden = !drafting;
+		const said = textOf(state);
+		if (text.textContent !== said) text.textContent = said;
+		const surveyed = surveyedChoice(state, facts);
+		use.hidden = surveyed === null || drafting;
+		if (surveyed !== null) useSelect.value = surveyed.role ?? "";
+		passFocus(held, [
+			...counterparts.get(held) ?? [],
+			measure,
+			add,
+			undo,
+			redo,
+			byId("block-view")
+		]);
+	};
+	store.watch([
+		"history",
+		"marks",
+		"files",
+		"selection",
+		"shown",
+		"running",
+		"adjusting",
+		"before",
+		"draft",
+		"onStage",
+		"panes"
+	], show);
+	facts.watch(show);
+	return bar;
+}
+var USES = [
+	["control", say("control-point")],
+	["check", say("check-point")],
+	["", say("not-used")]
+];
+function surveyedChoice({ selection }, facts) {
+	const [point, ...more] = pointsOf(selection.chosen);
+	const detail = point === void 0 || more.length > 0 ? null : facts.point(point);
+	return detail?.id != null && "ground_control" in detail.id ? {
+		point: detail.id.ground_control,
+		role: detail.role
+	} : null;
+}
+function textOf({ draft, adjusting, before, shown }) {
+	if (draft !== null) {
+		const placed = draft.places.size;
+		const what = draft.of === null ? say("new-point") : isGiven(draft.of) ? draft.of.given : say("point");
+		const more = draft.of === null && placed < 2 ? say("two-images-or-more-are") : "";
+		return say("placed-in-press-its-place", {
+			what,
+			placed,
+			more
+		});
+	}
+	if (adjusting) return say("adjusting-the-block");
+	if (before === null || shown === null || shown.edits.length === 0) return "";
+	return comparedText(before, figuresOf$3(shown.view));
+}
 // www/block/state/under.ts
 var SAME = {
 	a: 1,
@@ -2889,7 +3306,7 @@ function crsOf({ epsg, described }, chosen) {
 var betweenSystems = remember((orthophoto, view) => {
 	const { origin } = view;
 	const crs = crsOf(orthophoto.info, view.crs);
-	const places = placesOf$3(view);
+	const places = placesOf$2(view);
 	if (origin === null || crs === null || places === null) return null;
 	const { from, height } = places;
 	try {
@@ -2952,7 +3369,7 @@ function span(places, axis) {
 	const own = places.map((place) => place[axis]);
 	return Math.max(...own) - Math.min(...own);
 }
-function placesOf$3({ images, points }) {
+function placesOf$2({ images, points }) {
 	const centres = images.flatMap(({ position }) => position === null ? [] : [position]);
 	const step = Math.ceil(points.taking / ENOUGH);
 	const coordinates = [
@@ -3014,115 +3431,28 @@ function takesPlaces(state) {
 	if (orthophoto === null || orthophoto.ofBlock !== null || state.shown === null || state.shown.view.partial || state.shown.view.oriented === 0) return false;
 	return blockOnOrthophoto(state) !== null || purposeOf(state) === "block";
 }
-// www/block/state/joining.ts
-function placesOf$2({ observations }) {
-	return observations.filter(({ part }) => part !== "rejected_by_hand").map(({ image, x_px, y_px, by_hand }) => ({
-		image,
-		x_px,
-		y_px,
-		by: by_hand ? "hand" : "least_squares"
-	}));
-}
-var ONE_PLACE_PX = 5;
-function apart(points) {
-	let farthest = null;
-	const seen = new Map();
-	for (const point of points) for (const { image, x_px, y_px } of placesOf$2(point)) {
-		const others = seen.get(image) ?? [];
-		for (const [x, y] of others) {
-			const px = Math.hypot(x - x_px, y - y_px);
-			if (px > (farthest?.px ?? ONE_PLACE_PX)) farthest = {
-				image,
-				px
-			};
-		}
-		seen.set(image, [...others, [x_px, y_px]]);
-	}
-	return farthest;
-}
-function joined(points) {
-	const [first, ...others] = [...points].sort((a, b) => rank(b) - rank(a));
-	if (first?.id == null || others.length === 0 || others.some(isSurveyed)) return null;
-	const rejected = (isSurveyed(first) ? others : [first, ...others]).flatMap(({ id }) => id ?? []);
-	const places = new Map();
-	for (const point of [first, ...others]) for (const place of placesOf$2(point)) if (!places.has(place.image)) places.set(place.image, place);
-	const reject = {
-		kind: "reject_points",
-		points: rejected
-	};
-	if (!isSurveyed(first)) return places.size < 2 ? null : [reject, {
-		kind: "add_point",
-		observations: [...places.values()]
+// www/block/panel/edit-keys.ts
+function mountBlockEditKeys(store, hosts) {
+	const isBlockSeen = () => store.state.onStage !== "orthophoto" || blockOnOrthophoto(store.state) !== null || takesPlaces(store.state);
+	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length + store.state.marks.edits.length > 0 && isBlockSeen(), (by) => stepBy(store, by));
+	const idle = () => store.state.draft === null && isBlockSeen();
+	const list = [{
+		keys: ["Delete", "Backspace"],
+		does: say("rejects-what-is-chosen-with"),
+		can: idle,
+		run: (shift) => makeEdit(store, editOf(store.state, "reject", shift))
+	}, {
+		keys: ["r"],
+		does: say("uses-what-is-chosen-again"),
+		can: idle,
+		run: (shift) => makeEdit(store, editOf(store.state, "restore", shift))
 	}];
-	const { id } = first;
-	const own = new Set(first.observations.map(({ image }) => image));
-	const measured = [...places.values()].filter(({ image }) => !own.has(image));
-	return measured.length === 0 ? null : [reject, ...measured.map((place) => ({
-		kind: "measure",
-		point: id,
-		...place
-	}))];
-}
-function isSurveyed({ id }) {
-	return id !== null && "ground_control" in id;
-}
-function rank(point) {
-	return isSurveyed(point) ? Infinity : placesOf$2(point).length;
-}
-function split(point, images) {
-	if (point.id === null || isSurveyed(point)) return null;
-	const places = placesOf$2(point);
-	const [within, beside] = [true, false].map((is) => places.filter(({ image }) => images.includes(image) === is));
-	if (within === void 0 || beside === void 0 || within.length < 2 || beside.length < 2) return null;
-	return [
-		{
-			kind: "reject_points",
-			points: [point.id]
-		},
-		{
-			kind: "add_point",
-			observations: within
-		},
-		{
-			kind: "add_point",
-			observations: beside
-		}
-	];
-}
-// www/block/state/timeline.ts
-var timeline = remember((history, marks) => {
-	const steps = [];
-	let next = 0;
-	const editsUpTo = (end) => {
-		for (; next < Math.min(end, history.edits.length); next += 1) steps.push({
-			of: "edits",
-			at: next
-		});
-	};
-	marks.edits.forEach(({ after }, at) => {
-		editsUpTo(after);
-		steps.push({
-			of: "marks",
-			at
-		});
+	const edits = declare({
+		where: say("views-and-tables-of-a"),
+		host: byId("block-view"),
+		list
 	});
-	editsUpTo(Infinity);
-	const holds = ({ of, at }) => at < (of === "edits" ? history : marks).done;
-	return {
-		edits: [...steps.filter(holds), ...steps.filter((step) => !holds(step))],
-		done: history.done + marks.done
-	};
-});
-function timelineOf({ history, marks }) {
-	return timeline(history, marks);
-}
-function heldAt(both, place) {
-	const first = timelineOf(both).edits.slice(0, Math.max(0, place));
-	const marks = first.filter(({ of }) => of === "marks").length;
-	return {
-		edits: first.length - marks,
-		marks
-	};
+	for (const host of hosts) listenKeys(host, edits);
 }
 // www/block/state/scale.ts
 function unitOf({ origin, surveyed }) {
@@ -3307,318 +3637,7 @@ function describePoints({ points }, chosen) {
 function known$1(value) {
 	return value !== void 0 && !Number.isNaN(value);
 }
-// www/block/panel/edits.ts
-function editOf({ selection, shown }, kind, whole = false) {
-	return shown === null ? null : editOfChoice(kind, selection.chosen, shown.view, standingOf(shown.edits), whole);
-}
-function make(store, edit) {
-	if (edit === null) return;
-	if (store.state.running.kind === "yes") store.dispatch({
-		type: "notice",
-		notice: {
-			kind: "info",
-			text: say("edits-wait-for-the-run"),
-			beside: true
-		}
-	});
-	else store.dispatch({
-		type: "edit",
-		edits: [edit]
-	});
-}
-function makeStep(store, edits) {
-	if (edits !== null) store.dispatch({
-		type: "edit",
-		edits
-	});
-}
-var MOST_JOINED = 8;
-function toJoin({ selection, shown }, facts) {
-	const points = pointsOf(selection.chosen);
-	if (shown === null || points.length < 2 || points.length > MOST_JOINED || points.some((point) => point >= shown.view.points.taking)) return null;
-	const details = [...points].flatMap((point) => facts.point(point) ?? []);
-	return details.length < points.length || joined(details) === null ? null : details;
-}
-function join(store, facts) {
-	const points = toJoin(store.state, facts);
-	if (points === null) return;
-	const far = apart(points);
-	if (far === null) {
-		makeStep(store, joined(points));
-		return;
-	}
-	const image = store.state.shown?.view.images[far.image]?.name ?? "";
-	store.dispatch({
-		type: "notice",
-		notice: {
-			kind: "problem",
-			text: say("not-joined", {
-				image,
-				px: fixed(far.px, 0)
-			}),
-			beside: true
-		}
-	});
-}
-function splitOf({ selection, shown, panes }, facts) {
-	const [point, ...more] = pointsOf(selection.chosen);
-	if (shown === null || point === void 0 || more.length > 0 || point >= shown.view.points.taking) return null;
-	const detail = facts.point(point);
-	return detail === null ? null : split(detail, shownImages(panes, shown.view));
-}
-function step(store, by) {
-	if (store.state.draft !== null) {
-		store.dispatch({
-			type: "draft",
-			draft: null
-		});
-		return;
-	}
-	go(store, heldAt(store.state, timelineOf(store.state).done + by));
-}
-function go(store, { edits, marks: steps }) {
-	const { state } = store;
-	if (edits !== state.history.done && !isEditable(state)) return;
-	if (removesOthers(state.marks, {
-		...state.marks,
-		done: steps
-	}) && isBusy(state)) {
-		store.dispatch({
-			type: "notice",
-			notice: {
-				kind: "info",
-				text: say("edits-wait-for-the-run"),
-				beside: true
-			}
-		});
-		return;
-	}
-	if (edits !== state.history.done) store.dispatch({
-		type: "goto",
-		done: edits
-	});
-	if (steps !== state.marks.done) store.dispatch({
-		type: "gotoMark",
-		done: steps
-	});
-}
-function removalOf({ files, selection, shown, history }) {
-	const out = removable(files, selection.chosen, shown?.view.images ?? []);
-	return out.length === 0 ? null : {
-		kind: "remove_images",
-		files: out.map(({ id }) => id),
-		after: history.done
-	};
-}
-function removeImages(store) {
-	const step = removalOf(store.state);
-	if (step !== null) store.dispatch({
-		type: "mark",
-		step
-	});
-}
-function nameOfTimed({ history, marks }, { of, at }, names) {
-	const [edit, mark] = [history.edits[at], marks.edits[at]];
-	if (of === "edits") return edit === void 0 ? "" : nameOfStep(edit, names);
-	return mark === void 0 ? "" : nameOfMarks(mark);
-}
-function namesIn({ shown, history }) {
-	return shown === null ? NO_NAMES : namedIn(shown.found, history.edits);
-}
-var namedIn = remember((found, steps) => {
-	const names = namesOf$1(found);
-	const added = [...addedPoints(steps.flat(), found.givenControl).values()].map(({ edit, control }) => [control, edit.name]);
-	return added.length === 0 ? names : {
-		...names,
-		surveyed: new Map([...names.surveyed, ...added])
-	};
-});
-function addedIn({ shown, history }) {
-	return addedPoints(editsInForce(history), shown?.view.givenControl ?? 0);
-}
-function titleOf$1(edit, otherwise, names) {
-	return capital(edit === null ? otherwise : nameOfEdit(edit, names)).replace(/ 1 /u, " ");
-}
-function capital(name) {
-	return name.charAt(0).toUpperCase() + name.slice(1);
-}
-function mountEditBar(store, facts, measures) {
-	const undo = button(say("undo-sign"), "block-undo", () => step(store, -1));
-	const redo = button(say("redo-sign"), "block-redo", () => step(store, 1));
-	const reject = button(say("reject"), "block-reject", () => make(store, editOf(store.state, "reject")), say("take-what-is-chosen-out"));
-	const whole = button(say("reject-point"), "block-reject-point", () => make(store, editOf(store.state, "reject", true)), say("take-the-point-with-all"));
-	const restore = button(say("restore"), "block-restore", () => make(store, editOf(store.state, "restore")), say("use-what-is-chosen-again"));
-	const remove = button(say("remove-image"), "block-remove-image", () => removeImages(store), say("take-the-chosen-image-out"));
-	const measure = button(say("measure-it"), "block-measure", () => {
-		if (store.state.onStage !== "images") store.dispatch({
-			type: "stage",
-			view: "images"
-		});
-		measures()?.toggle(false);
-	}, say("measure-the-chosen-point-in"));
-	const add = button(say("add-point"), "block-add-point", () => measures()?.toggle(true), say("measure-a-new-tie-point"));
-	const joining = button(say("join"), "block-join", () => join(store, facts), say("the-chosen-points-are-one"));
-	const parting = button(say("split"), "block-split", () => makeStep(store, splitOf(store.state, facts)), say("the-point-is-two-one"));
-	const match = button(say("match-it"), "block-match", () => measures()?.match(), say("match-the-point-in-the"));
-	const accept = button(say("accept"), "block-accept", () => measures()?.accept(), say("the-point-is-measured-enter"));
-	const leave = button(say("cancel"), "block-leave", () => measures()?.leave(), say("give-what-is-measured-up"));
-	const [use, useSelect] = choice(say("use-as"), "block-use", USES, (value) => {
-		const surveyed = surveyedChoice(store.state, facts);
-		const role = value === "control" || value === "check" ? value : null;
-		if (surveyed !== null) make(store, {
-			kind: "set_use",
-			point: surveyed.point,
-			use: role
-		});
-	});
-	const text = h("span", {
-		class: "edit-text",
-		testid: "block-edit-text",
-		role: "status",
-		aria: { live: "polite" }
-	});
-	const bar = h("div", {
-		class: "toolbar edit-bar",
-		testid: "block-edit-bar",
-		role: "toolbar",
-		aria: { label: say("edits-by-hand") }
-	}, ...[
-		undo,
-		redo,
-		reject,
-		whole,
-		restore,
-		remove,
-		joining,
-		parting,
-		measure,
-		add,
-		match,
-		accept,
-		leave,
-		use,
-		text
-	]);
-	const counterparts = new Map([
-		[reject, [restore]],
-		[whole, [restore]],
-		[restore, [reject]],
-		[undo, [redo]],
-		[redo, [undo]]
-	]);
-	const show = () => {
-		const { state } = store;
-		const held = bar.contains(document.activeElement) ? document.activeElement : null;
-		const { chosen } = state.selection;
-		bar.hidden = !isEditable(state);
-		const names = namesIn(state);
-		showSteps(undo, redo, timelineOf(state), (one) => nameOfTimed(state, one, names));
-		const [off, point, on] = [
-			editOf(state, "reject"),
-			editOf(state, "reject", true),
-			editOf(state, "restore")
-		];
-		const drafting = state.draft !== null;
-		set(reject, titleOf$1(off, say("reject"), NO_NAMES), off === null);
-		set(restore, titleOf$1(on, say("restore"), NO_NAMES), on === null);
-		reject.hidden = drafting || off === null && on !== null;
-		restore.hidden = drafting || on === null;
-		whole.hidden = drafting || chosen?.kind !== "observation" || point === null;
-		const removal = removalOf(state);
-		remove.hidden = drafting || removal === null;
-		set(remove, removal === null || removal.files.length === 1 ? say("remove-image") : capital(nameOfMarks(removal)), false);
-		const inImages = state.onStage === "images";
-		const given = chosen?.kind === "given";
-		measure.hidden = drafting || !(inImages || given);
-		const { taking = 0 } = state.shown?.view.points ?? {};
-		measure.disabled = chosen?.kind !== "given" && (chosen?.kind !== "point" && chosen?.kind !== "observation" || chosen.point >= taking);
-		add.hidden = drafting || !inImages;
-		joining.hidden = drafting || toJoin(state, facts) === null;
-		parting.hidden = drafting || !inImages || splitOf(state, facts) === null;
-		match.hidden = !inImages || (measure.disabled || given) && !drafting;
-		accept.hidden = !drafting;
-		accept.disabled = state.draft === null || stepOfDraft(state.draft, state.shown?.view.images.map(({ name }) => name) ?? [], state.history.done, addedIn(state)) === null;
-		leave.hidden = !drafting;
-		const said = textOf(state);
-		if (text.textContent !== said) text.textContent = said;
-		const surveyed = surveyedChoice(state, facts);
-		use.hidden = surveyed === null || drafting;
-		if (surveyed !== null) useSelect.value = surveyed.role ?? "";
-		passFocus(held, [
-			...counterparts.get(held) ?? [],
-			measure,
-			add,
-			undo,
-			redo,
-			byId("block-view")
-		]);
-	};
-	store.watch([
-		"history",
-		"marks",
-		"files",
-		"selection",
-		"shown",
-		"running",
-		"adjusting",
-		"before",
-		"draft",
-		"onStage",
-		"panes"
-	], show);
-	facts.watch(show);
-	return bar;
-}
-var USES = [
-	["control", say("control-point")],
-	["check", say("check-point")],
-	["", say("not-used")]
-];
-function surveyedChoice({ selection }, facts) {
-	const [point, ...more] = pointsOf(selection.chosen);
-	const detail = point === void 0 || more.length > 0 ? null : facts.point(point);
-	return detail?.id != null && "ground_control" in detail.id ? {
-		point: detail.id.ground_control,
-		role: detail.role
-	} : null;
-}
-function textOf({ draft, adjusting, before, shown }) {
-	if (draft !== null) {
-		const placed = draft.places.size;
-		const what = draft.of === null ? say("new-point") : isGiven(draft.of) ? draft.of.given : say("point");
-		const more = draft.of === null && placed < 2 ? say("two-images-or-more-are") : "";
-		return say("placed-in-press-its-place", {
-			what,
-			placed,
-			more
-		});
-	}
-	if (adjusting) return say("adjusting-the-block");
-	if (before === null || shown === null || shown.edits.length === 0) return "";
-	return comparedText(before, figuresOf$3(shown.view));
-}
-function mountBlockEditKeys(store, hosts) {
-	const isBlockSeen = () => store.state.onStage !== "orthophoto" || blockOnOrthophoto(store.state) !== null || takesPlaces(store.state);
-	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length + store.state.marks.edits.length > 0 && isBlockSeen(), (by) => step(store, by));
-	const idle = () => store.state.draft === null && isBlockSeen();
-	const list = [{
-		keys: ["Delete", "Backspace"],
-		does: say("rejects-what-is-chosen-with"),
-		can: idle,
-		run: (shift) => make(store, editOf(store.state, "reject", shift))
-	}, {
-		keys: ["r"],
-		does: say("uses-what-is-chosen-again"),
-		can: idle,
-		run: (shift) => make(store, editOf(store.state, "restore", shift))
-	}];
-	const edits = declare({
-		where: say("views-and-tables-of-a"),
-		host: byId("block-view"),
-		list
-	});
-	for (const host of hosts) listenKeys(host, edits);
-}
+// www/block/panel/edit-panel.ts
 function mountEditPanel(host, store) {
 	const compared = h("div", { testid: "block-compared" });
 	const rejected = h("ul", {
@@ -3645,7 +3664,7 @@ function mountEditPanel(host, store) {
 			history: edits,
 			marks
 		};
-		showHistory(history, "block-", say("as-found"), timelineOf(both), (one) => nameOfTimed(both, one, names), (done) => go(store, heldAt(store.state, done)));
+		showHistory(history, "block-", say("as-found"), timelineOf(both), (one) => nameOfTimed(both, one, names), (done) => goTo(store, heldAt(store.state, done)));
 		fill(compared, ...shown === null || before === null || shown.edits.length === 0 ? [] : [comparison(before, adjusting ? null : figuresOf$3(shown.view))]);
 		const standing = shown === null ? [] : rejectedRows(shown.view, standingOf(shown.edits));
 		const at = [...rejected.querySelectorAll("button")].indexOf(document.activeElement);
@@ -3695,7 +3714,7 @@ function mountMarks(host, store, after) {
 	});
 }
 function restoreButton(store, name, edit) {
-	const made = button(say("restore"), `restore-${name}`, () => make(store, edit));
+	const made = button(say("restore"), `restore-${name}`, () => makeEdit(store, edit));
 	made.className = "link";
 	made.setAttribute("aria-label", say("restore-2", { name }));
 	return made;
@@ -3806,34 +3825,35 @@ var GroundFiles = class {
 		this.store = store;
 		this.engine = engine;
 	}
-	async take({ orthophotos, heights, worlds, projections }) {
+	async take({ orthophotos, heights, worlds, projections }, here) {
 		const said = [];
 		const [orthophoto, ...more] = orthophotos;
 		if (orthophoto !== void 0) {
-			const taken = await this.takeOrthophoto(orthophoto);
+			const taken = await this.takeOrthophoto(orthophoto, here);
 			if (taken === null) return null;
 			said.push(taken);
 		}
 		if (more.length > 0) said.push(say("skipped-a-project-has-one", { more: named(more) }));
 		const [model, ...others] = heights;
 		if (model !== void 0) {
-			const taken = await this.takeHeights(model);
+			const taken = await this.takeHeights(model, here);
 			if (taken === null) return null;
 			said.push(taken);
 		}
 		if (others.length > 0) said.push(say("skipped-an-orthophoto-has-one", { others: named(others) }));
 		for (const world of worlds) {
-			const taken = await this.takeWorld(world, projections.find(({ name }) => stemOf(name) === stemOf(world.name)) ?? null);
+			const taken = await this.takeWorld(world, projections.find(({ name }) => stemOf(name) === stemOf(world.name)) ?? null, here);
 			if (taken === null) return null;
 			said.push(taken);
 		}
 		return said.join(" ");
 	}
-	async takeOrthophoto(found) {
+	async takeOrthophoto(found, here) {
 		const { file } = found;
 		this.tell("busy", say("reading-the-orthophoto", { name: file.name }));
 		try {
 			const orthophoto = await this.engine.open(await rasterOf(found));
+			here();
 			this.store.dispatch({
 				type: "orthophoto",
 				orthophoto
@@ -3845,32 +3865,36 @@ var GroundFiles = class {
 			this.quiet();
 			return orthophotoText(orthophoto);
 		} catch (error) {
+			here();
 			this.refused(say("cannot-be-used-as-an", { name: file.name }), error);
 			return null;
 		}
 	}
-	async takeHeights(found) {
-		return this.setHeights(found.file.name, async () => ({
+	takeHeights(found, here) {
+		return this.setHeights(here, found.file.name, async () => ({
 			kind: "model",
 			model: await rasterOf(found)
 		}));
 	}
-	async takeLevel(height) {
-		return this.setHeights(withUnit(fixed(height, 2), unitOfOrthophoto(this.store.state.placing.orthophoto)), () => Promise.resolve({
+	takeLevel(height, here) {
+		return this.setHeights(here, withUnit(fixed(height, 2), unitOfOrthophoto(this.store.state.placing.orthophoto)), () => Promise.resolve({
 			kind: "level",
 			height
 		}));
 	}
-	async setHeights(name, made) {
+	async setHeights(here, name, made) {
 		if (this.store.state.placing.orthophoto === null) {
 			this.tell("problem", say("holds-heights-give-their-orthophoto", { name }));
 			return null;
 		}
 		this.tell("busy", say("reading-the-heights", { name }));
 		try {
-			await this.engine.setHeights(await made());
+			const heights = await made();
+			here();
+			await this.engine.setHeights(heights);
+			here();
 			this.quiet();
-			const { heights, orthophoto } = this.store.state.placing;
+			const { orthophoto } = this.store.state.placing;
 			const [from, to] = orthophoto?.info.heights ?? [];
 			if (heights.kind === "level") return say("the-ground-is-level-at", { name });
 			return say("heights-from-to", {
@@ -3880,11 +3904,12 @@ var GroundFiles = class {
 				unit: unitText(unitOfOrthophoto(orthophoto))
 			});
 		} catch (error) {
+			here();
 			this.refused(say("cannot-be-used-as-heights", { name }), error);
 			return null;
 		}
 	}
-	async takeWorld(world, projection) {
+	async takeWorld(world, projection, here) {
 		const stem = stemOf(world.name);
 		const { files, truth } = this.store.state;
 		const image = files.find(({ name }) => stemOf(name) === stem);
@@ -3896,7 +3921,7 @@ var GroundFiles = class {
 			file: new File([image.file], image.name, { type: image.file.type }),
 			world,
 			projection
-		});
+		}, here);
 		if (taken !== null) this.store.dispatch({
 			type: "files",
 			files: files.filter((file) => file !== image),
@@ -4143,89 +4168,316 @@ function framesStep(state) {
 	if (purposeOf(state) === "images" || !awaitsFrames(film, state.files)) return "";
 	return film.camera === null ? say("marks-need-their-camera") : say("press-frames", { make: say("make-frames") });
 }
-// www/block/files/film.ts
-var LISTED$3 = 5;
-var FilmFiles = class {
-	store;
-	constructor(store) {
-		this.store = store;
-	}
-	async takeCamera(file) {
-		this.tell(await this.camera(file));
-	}
-	async takeMarks(files) {
-		this.tell(await this.marks(files));
-	}
-	async camera(file) {
-		const camera = await this.read(file, parse_camera);
-		if (typeof camera === "string") return {
-			kind: "problem",
-			text: camera
-		};
-		this.store.dispatch({
-			type: "film",
-			film: {
-				...this.store.state.placing.film,
-				camera
+// www/block/files/frames.ts
+var LISTED$3 = 3;
+async function takeFrames(store, engine, here) {
+	const { files, placing, options } = store.state;
+	const scans = framesOf(placing.film, files);
+	const stems = scans.map(({ name }) => stemOf(name));
+	const twice = scans.find(({ name }, k) => stems.indexOf(stemOf(name)) !== k);
+	if (twice !== void 0) {
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "problem",
+				text: say("two-scans-of-one-name", { name: twice.name })
 			}
 		});
-		return {
-			kind: "info",
-			text: say("from", {
-				texts: say("film-camera"),
-				name: file.name
-			})
-		};
+		return;
 	}
-	async marks(files) {
-		const marks = [];
-		for (const file of files) {
-			const read = await this.read(file, parse_fiducials);
-			if (typeof read === "string") return {
+	try {
+		const masks = masksOf(scans, options.masks);
+		const films = scans.flatMap((file, k) => {
+			const film = filmOf(placing.film, file.name);
+			return film === null ? [] : [{
+				file,
+				film,
+				mask: masks[k] ?? null
+			}];
+		});
+		const frames = await engine.frames(films, camerasThere(files, options.cameras));
+		here();
+		if (frames === null) store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: say("cancelled-nothing-was-changed")
+			}
+		});
+		else replace(store, frames);
+	} catch (error) {
+		here();
+		store.dispatch({
+			type: "notice",
+			notice: {
 				kind: "problem",
-				text: read
-			};
-			marks.push(read);
-		}
-		this.store.dispatch({
-			type: "film",
-			film: withMarks(this.store.state.placing.film, marks)
+				text: say("no-frames-were-made", { sentence: sentence(messageOf(error)) })
+			}
 		});
-		const name = files.slice(0, LISTED$3).map(({ name }) => name).join(", ") + (files.length > LISTED$3 ? " …" : "");
-		return {
+	}
+}
+function masksOf(scans, masks) {
+	const names = (files) => files.map(({ name }) => name);
+	return [...masks_of_images(names(scans), names(masks))].map((index) => masks[index]);
+}
+function replace(store, frames) {
+	const { files, truth, options, marks } = store.state;
+	const made = new Map(frames.map((frame) => [frame.of, frame]));
+	const scans = files.filter(({ id }) => made.has(id));
+	const { pattern, file: cameras } = camerasOf(frames, files, options.cameras);
+	const names = new Set(files.filter(({ id }) => !made.has(id)).map(({ name }) => name.toLowerCase()));
+	const taken = scans.map(({ name }) => frameName(name, pattern)).find((name) => names.has(name.toLowerCase()));
+	if (taken !== void 0) {
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "problem",
+				text: say("frame-is-there", { name: taken })
+			}
+		});
+		return;
+	}
+	const ownMasks = frames.map(({ of, mask }) => imageOf$2(files, of, mask, pattern));
+	const former = new Set([...masksOf(scans, options.masks), ...options.masks.filter(({ name }) => ownMasks.some((own) => own.name === name))]);
+	const masks = [...options.masks.filter((mask) => !former.has(mask)), ...ownMasks];
+	const images = files.map((file) => {
+		const frame = made.get(file.id);
+		return frame === void 0 ? file : imageOf$2(files, file.id, frame.image, pattern);
+	});
+	const measured = new Carried(scans.flatMap(({ id, name }) => {
+		const frame = made.get(id);
+		return frame === void 0 ? [] : [{
+			scan: name,
+			image: frameName(name, pattern),
+			film: frame.scan
+		}];
+	}));
+	const ofFile = measured.table(options.marks);
+	const byHand = withMeasurements(marks, (rows) => measured.rows(rows));
+	measured.count(marksByHand(marks));
+	store.dispatch({
+		type: "files",
+		files: images,
+		truth
+	});
+	store.dispatch({
+		type: "options",
+		options: {
+			masks,
+			cameras,
+			marks: ofFile
+		}
+	});
+	store.dispatch({
+		type: "marks",
+		marks: byHand
+	});
+	store.dispatch({
+		type: "film",
+		film: NO_FILM
+	});
+	const isKnown = frames.every(({ camera }) => camera.fixed);
+	const text = say("scans-became-frames", {
+		frames: frames.length,
+		known: isKnown ? "yes" : "no"
+	});
+	store.dispatch({
+		type: "notice",
+		notice: {
 			kind: "info",
-			text: say("from", {
-				texts: say("marks-of-scans"),
-				name
-			})
+			text: [text, ...measured.said()].join(" ")
+		}
+	});
+}
+var Carried = class {
+	frames;
+	moved = 0;
+	beside = new Set();
+	constructor(frames) {
+		this.frames = frames;
+	}
+	rows(rows) {
+		return film_measurements([...rows], this.frames).measurements;
+	}
+	count(rows) {
+		const { moved, beside } = film_measurements([...rows], this.frames);
+		this.moved += moved;
+		for (const { image, point } of beside) this.beside.add(say("in", {
+			point,
+			image
+		}));
+	}
+	table(file) {
+		if (file === null) return null;
+		const scans = new Set(this.frames.map(({ scan }) => scan));
+		let rows;
+		try {
+			rows = parse_image_measurements(file.text, [...scans]);
+		} catch {
+			return file;
+		}
+		if (!rows.some(({ image }) => scans.has(image))) return file;
+		this.count(rows);
+		return {
+			name: file.name,
+			text: image_measurement_table(this.rows(rows))
 		};
 	}
-	clear() {
-		this.store.dispatch({
-			type: "film",
-			film: NO_FILM
+	said() {
+		const names = [...this.beside];
+		const listed = names.slice(0, LISTED$3).join(", ") + (names.length > LISTED$3 ? " …" : "");
+		return [...this.moved > 0 ? [say("measurements-carried", { moved: this.moved })] : [], ...names.length > 0 ? [say("measurements-beside-frames", {
+			count: names.length,
+			listed
+		})] : []];
+	}
+};
+function imageOf$2(files, scan, png, pattern) {
+	const name = frameName(nameOf$1(files, scan), pattern);
+	return {
+		id: newId(),
+		name,
+		file: new File([png], name, { type: png.type })
+	};
+}
+function nameOf$1(files, scan) {
+	return files.find(({ id }) => id === scan)?.name ?? "";
+}
+function camerasThere(files, given) {
+	return (given === null ? [] : parse_camera_rules(given.text)).filter(({ images = "*" }) => !isOfFrames(images) || files.some(({ name }) => name.endsWith(images.slice(1))));
+}
+function camerasOf(frames, files, given) {
+	const others = camerasThere(files, given);
+	const [first] = frames;
+	const pattern = first === void 0 ? "" : film_pattern(first.camera, others);
+	const own = frames.map(({ camera, of }) => ({
+		...camera,
+		images: frameName(nameOf$1(files, of), pattern)
+	}));
+	return {
+		pattern,
+		file: {
+			name: say("camera-of-frames"),
+			text: JSON.stringify({ cameras: film_cameras(pattern, own, others) })
+		}
+	};
+}
+// www/block/files/actions.ts
+var NOTHING_LOST = {
+	lost: 0,
+	aside: []
+};
+var BlockActions = class {
+	store;
+	placing;
+	runs;
+	telling;
+	aside;
+	stays;
+	constructor(store, placing, runs, telling, aside, stays) {
+		this.store = store;
+		this.placing = placing;
+		this.runs = runs;
+		this.telling = telling;
+		this.aside = aside;
+		this.stays = stays;
+		let before = store.state;
+		store.watch(["marks", "shown"], ([marks, shown]) => {
+			const others = shown !== null && shown.found === before.shown?.found && removesOthers(before.marks, marks);
+			before = store.state;
+			if (others && isOutdated(before)) queueMicrotask(() => void this.run());
 		});
 	}
-	async read(file, check) {
-		const text = await file.text();
-		try {
-			check(text);
-			return {
-				name: file.name,
-				text
-			};
-		} catch (error) {
-			return say("cannot-be-used-of-film", {
-				name: file.name,
-				problem: sentence(messageOf(error))
+	decide(purpose) {
+		return doHere(this.stays, async (here) => {
+			this.store.dispatch({
+				type: "purpose",
+				purpose
 			});
-		}
+			this.store.dispatch({
+				type: "notice",
+				notice: null
+			});
+			if (purpose === "images") await this.runs.placeImages(here);
+			else if (purpose === "block") await this.runOf(here);
+			else this.store.dispatch({
+				type: "stage",
+				view: "map"
+			});
+		});
 	}
-	tell(notice) {
+	run() {
+		return doHere(this.stays, (here) => this.runOf(here));
+	}
+	async runOf(here) {
+		const { shown, history } = this.store.state;
+		const names = shown === null ? null : namesOf$1(shown.found);
+		const isSame = shown !== null && shown.tiePoints !== "" && shown.key === wantedKey(this.store.state);
+		const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names), isSame);
+		if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run(here);
+		this.telling.tell("busy", say("keeping-the-edited-block"));
+		const stays = await this.aside.leave(say("run-it-again"), here);
 		this.store.dispatch({
 			type: "notice",
-			notice
+			notice: null
 		});
+		if (stays === null) return;
+		await this.runs.run(here);
+		here();
+		const { notice, running } = this.store.state;
+		if (!stays || running.kind !== "no" || notice === null) return;
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				...notice,
+				text: say("the-former-block-stays-under-projects", { text: notice.text })
+			}
+		});
+	}
+	place() {
+		return doHere(this.stays, (here) => this.runs.placeImages(here));
+	}
+	takeOff() {
+		return doHere(this.stays, (here) => this.runs.takeOff(here));
+	}
+	frames() {
+		return doHere(this.stays, (here) => takeFrames(this.store, this.placing, here));
+	}
+	clear() {
+		return doHere(this.stays, async (here) => {
+			const { shown, history, marks } = this.store.state;
+			const isEdited = history.edits.length + marks.edits.length > 0;
+			const stays = await this.aside.leave(say("remove-all-images"), here);
+			if (stays === null) return;
+			this.store.dispatch({ type: "clear" });
+			const what = shown === null ? say("project") : isEdited ? say("edited-block") : say("oriented-block");
+			if (stays) this.telling.tell("info", say("the-stays-under-projects", { what }));
+		});
+	}
+};
+// www/block/files/aside.ts
+var BlockAside = class {
+	store;
+	putAside;
+	constructor(store, putAside) {
+		this.store = store;
+		this.putAside = putAside;
+	}
+	async leave(step, here) {
+		const { shown, truth, history, marks, placing } = this.store.state;
+		const length = history.edits.length + marks.edits.length;
+		const isFound = shown !== null && !shown.view.partial && shown.view.oriented > 0 && truth === null;
+		if (length === 0 && placing.placed.size === 0 && !isFound) return false;
+		const stays = await this.putAside();
+		here();
+		if (stays) return true;
+		const what = placing.placed.size > 0 ? say("what-was-placed-on-the") : say("the-block-of-these-photos");
+		const edits = length === 0 ? what : length === 1 ? say("the-edit-by-hand-of") : say("the-edits-by-hand-of", { length });
+		return window.confirm(say("cannot-be-kept-in-this", {
+			edits,
+			step,
+			length: Math.max(1, length)
+		})) ? false : null;
 	}
 };
 // www/block/files/tables.ts
@@ -4243,7 +4495,7 @@ var OF_FIDUCIALS = [
 ];
 var OF_IMAGES = /^(?:image|img|photo|picture|frame|bild|foto)/iu;
 var OF_HEIGHTS = /^(?:z|h|up|height|alt|elev|hoehe|höhe)/iu;
-var OF_PLACES = /^(?:[xyz][/_ ])?(?:gps)?(?:lon|lng|lat|alt|elev|east|north|rechts|hoch|länge|laenge|breite|höhe|hoehe|height|z\b)/iu;
+var OF_PLACES = /^(?:[xyz][/_ ]|(?:gps|utm|wgs|etrs|grid|local)\w*[ _-])?(?:gps)?(?:lon|lng|lat|alt|elev|east|north|rechts|hoch|ost\b|nord\b|öst|norr|höjd|länge|laenge|breite|höhe|hoehe|height|z\b)/iu;
 var COORDINATE = /^[+-]?\d+[.,]\d/u;
 var LEAST_NUMBERS = 3;
 function linesOf$1(text) {
@@ -4338,10 +4590,8 @@ function isOfImages(columns, marks) {
 function whyNoMarks(marks) {
 	return "why" in marks ? marks.why : say("its-first-column-names-no-images", { name: marks.rows.find(({ image }) => !IMAGE_FILE.test(image))?.image ?? "" });
 }
-// www/block/files/files.ts
-var PROJECT = /\.tiepoint$/iu;
+// www/block/files/beside.ts
 var TABLE = /\.(?:csv|txt)$/iu;
-var GEOID = /\.gtx$/iu;
 var CSV = /\.csv$/iu;
 var CAMERAS$1 = /\.json$/iu;
 var FOCAL_LENGTH = "focal_mm";
@@ -4351,175 +4601,259 @@ var TEXTS = {
 	marks: say("image-measurements"),
 	positions: say("image-positions")
 };
-var NEEDS_MORE = say("a-block-needs-two-images");
-var NOTHING_LOST = {
-	lost: 0,
-	aside: []
+var BesideFiles = class {
+	store;
+	telling;
+	film;
+	takeHere;
+	constructor(store, telling, film, takeHere) {
+		this.store = store;
+		this.telling = telling;
+		this.film = film;
+		this.takeHere = takeHere;
+	}
+	async cameras(file, photos, here) {
+		const { state } = this.store;
+		const text = await textIn(file);
+		here();
+		const files = [...state.files, ...photos.map((photo) => ({
+			id: 0,
+			name: photo.file.name,
+			file: photo.file
+		}))];
+		const { cameras: problem } = problemsOf({
+			...state,
+			files,
+			options: {
+				...state.options,
+				cameras: {
+					name: file.name,
+					text
+				}
+			}
+		});
+		if (problem === void 0) {
+			await this.takesText("cameras", file, here);
+			return "";
+		}
+		const fields = fieldsOf(text);
+		if ("tiepoint_settings" in fields) return say("holds-settings", { name: file.name });
+		return say("cameras" in fields ? "cameras-are-put-aside" : "holds-no-cameras", { problem: sentence(problem) });
+	}
+	async ofFilm(given, here) {
+		const cameras = [];
+		const marks = [];
+		for (const file of given) if (CAMERAS$1.test(file.name) && FOCAL_LENGTH in fieldsOf(await textIn(file))) cameras.push(file);
+		else if (TABLE.test(file.name) && hasFiducials(await textIn(file))) marks.push(file);
+		const [camera] = cameras;
+		const said = [...camera === void 0 ? [] : [await this.film.camera(camera, here)], ...marks.length === 0 ? [] : [await this.film.marks(marks, here)]];
+		const texts = (kind) => said.flatMap((one) => one.kind === kind ? [one.text] : []).join(" ");
+		return {
+			files: new Set([...camera === void 0 ? [] : [camera], ...marks]),
+			marks: marks.map(({ name }) => name),
+			said: texts("info"),
+			aside: texts("problem")
+		};
+	}
+	marksOfNone(names) {
+		const { placing, files } = this.store.state;
+		return marksOfNone(placing.film, files).filter((name) => names.includes(name)).map((name) => say("marks-of-no-image", { name })).join(" ");
+	}
+	async tables(files, photos, here) {
+		const names = new Set([...this.store.state.files, ...photos.map(({ file }) => file)].map(({ name }) => name));
+		const aside = [];
+		let count = 0;
+		for (const file of files) {
+			const text = await textIn(file);
+			const found = kindOfTable(text, names);
+			if (found.kind === "neither" && !CSV.test(file.name) && !hasNumbers(text)) continue;
+			count += 1;
+			if (found.kind === "neither") aside.push(say("is-no-table-of", {
+				name: file.name,
+				why: sentence(found.why)
+			}));
+			else if (found.kind !== "fiducials") await this.takesText(found.kind, file, here);
+		}
+		return {
+			count,
+			aside: aside.join(" ")
+		};
+	}
+	takeText(given, file) {
+		return this.takeHere([file.name], (here) => this.takesText(given, file, here));
+	}
+	async takesText(given, file, here) {
+		const text = await textIn(file);
+		here();
+		this.store.dispatch({
+			type: "options",
+			options: { [given]: {
+				name: file.name,
+				text
+			} }
+		});
+		const problem = problemsOf(this.store.state)[given];
+		const said = say("from", {
+			texts: TEXTS[given],
+			name: file.name
+		});
+		if (problem === void 0) this.telling.tellTaken((given === "control" || given === "marks") && waitsForMarks(this.store.state) ? `${said} ${controlText(this.store.state)}` : said);
+		else if (problem === PARTNER_MISSING[given]) this.telling.tellTaken(say("from-2", {
+			texts: TEXTS[given],
+			name: file.name,
+			problem
+		}));
+		else this.telling.tell("problem", say("the-block-cannot-be-run", { problem: sentence(problem) }));
+	}
+	takeMasks(files) {
+		this.store.dispatch({
+			type: "options",
+			options: { masks: files.map((file) => ({
+				id: newId(),
+				name: file.name,
+				file
+			})) }
+		});
+		const problem = problemsOf(this.store.state).masks;
+		if (problem !== void 0) this.telling.tell("problem", say("the-block-cannot-be-run-with", { problem: sentence(problem) }));
+	}
+	takeGeoid(file) {
+		this.store.dispatch({
+			type: "options",
+			options: { geoid: {
+				id: newId(),
+				name: file.name,
+				file
+			} }
+		});
+		const problem = problemsOf(this.store.state).geoid;
+		if (problem === void 0) this.telling.tellTaken(say("from", {
+			texts: say("geoid"),
+			name: file.name
+		}));
+		else this.telling.tell("problem", say("the-block-cannot-be-run", { problem: sentence(problem) }));
+	}
 };
-var WAITS = "tiepoint-wait";
-var BlockFiles = class {
+// www/block/files/film.ts
+var LISTED$2 = 5;
+var FilmFiles = class {
+	store;
+	takeHere;
+	constructor(store, takeHere) {
+		this.store = store;
+		this.takeHere = takeHere;
+	}
+	takeCamera(file) {
+		return this.takeHere([file.name], async (here) => this.tell(await this.camera(file, here)));
+	}
+	takeMarks(files) {
+		return this.takeHere(files.map(({ name }) => name), async (here) => this.tell(await this.marks(files, here)));
+	}
+	async camera(file, here) {
+		const camera = await this.read(file, parse_camera);
+		here();
+		if (typeof camera === "string") return {
+			kind: "problem",
+			text: camera
+		};
+		this.store.dispatch({
+			type: "film",
+			film: {
+				...this.store.state.placing.film,
+				camera
+			}
+		});
+		return {
+			kind: "info",
+			text: say("from", {
+				texts: say("film-camera"),
+				name: file.name
+			})
+		};
+	}
+	async marks(files, here) {
+		const marks = [];
+		for (const file of files) {
+			const read = await this.read(file, parse_fiducials);
+			if (typeof read === "string") return {
+				kind: "problem",
+				text: read
+			};
+			marks.push(read);
+		}
+		here();
+		this.store.dispatch({
+			type: "film",
+			film: withMarks(this.store.state.placing.film, marks)
+		});
+		const name = files.slice(0, LISTED$2).map(({ name }) => name).join(", ") + (files.length > LISTED$2 ? " …" : "");
+		return {
+			kind: "info",
+			text: say("from", {
+				texts: say("marks-of-scans"),
+				name
+			})
+		};
+	}
+	clear() {
+		this.store.dispatch({
+			type: "film",
+			film: NO_FILM
+		});
+	}
+	async read(file, check) {
+		const text = await textIn(file);
+		try {
+			check(text);
+			return {
+				name: file.name,
+				text
+			};
+		} catch (error) {
+			return say("cannot-be-used-of-film", {
+				name: file.name,
+				problem: sentence(messageOf(error))
+			});
+		}
+	}
+	tell(notice) {
+		this.store.dispatch({
+			type: "notice",
+			notice
+		});
+	}
+};
+// www/block/files/simulated.ts
+var SimulatedFiles = class {
 	store;
 	engine;
 	placing;
-	runs;
-	openProject;
-	putAside;
-	left;
 	ground;
-	film;
-	waiting = keptChoice(WAITS) === "yes";
-	constructor(store, engine, placing, runs, openProject, putAside, left) {
+	runs;
+	telling;
+	aside;
+	takeHere;
+	waits;
+	constructor(store, engine, placing, ground, runs, telling, aside, takeHere, waits) {
 		this.store = store;
 		this.engine = engine;
 		this.placing = placing;
+		this.ground = ground;
 		this.runs = runs;
-		this.openProject = openProject;
-		this.putAside = putAside;
-		this.left = left;
-		this.ground = new GroundFiles(store, placing);
-		this.film = new FilmFiles(store);
-		let before = store.state;
-		store.watch(["marks", "shown"], ([marks, shown]) => {
-			const others = shown !== null && shown.found === before.shown?.found && removesOthers(before.marks, marks);
-			before = store.state;
-			if (others && isOutdated(before)) queueMicrotask(() => void this.run());
-		});
-	}
-	get waits() {
-		return this.waiting;
-	}
-	set waits(waits) {
-		this.waiting = waits;
-		keepChoice(WAITS, waits ? "yes" : "no");
-	}
-	take(given, why = "") {
-		return this.takeHere(given.map(({ file }) => file.name), (here) => this.takeKinds(given, why, here));
-	}
-	takeHere(names, take) {
-		const tell = () => this.tell("info", say("were-not-taken-the-project", {
-			files: names.length,
-			names: namesText(names)
-		}));
-		return takeHere(this.left, take, tell);
-	}
-	async takeKinds(given, why, here) {
-		const before = this.store.state.notice;
-		const kinds = await refusedKinds(given.map(({ file }) => file));
-		const unread = kindsText(kinds);
-		const { others: found, taken, degrees, ...rasters } = asGiven(await sortRasters(given.filter(({ file }) => !kinds.has(file))));
-		here();
-		const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
-		const ground = await this.ground.take(rasters);
-		here();
-		const several = taken === 0 ? "" : say("that-say-where-they-lie", { taken: images$1(taken) });
-		if (ground === null) {
-			if (unread !== "") this.tellBeside(this.store.state.notice, unread);
-			return;
-		}
-		const alone = found.filter(({ path }) => path === "");
-		const project = alone.find(({ file }) => PROJECT.test(file.name));
-		const film = await this.takeFilm(alone.map(({ file }) => file));
-		here();
-		const said = [
-			ground,
-			several,
-			film.said
-		].filter((text) => text !== "").join(" ");
-		const cameras = alone.find(({ file }) => CAMERAS$1.test(file.name) && !film.files.has(file));
-		const geoid = alone.find(({ file }) => GEOID.test(file.name));
-		const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith("image/"));
-		if (project !== void 0) await this.openProject(project.file);
-		here();
-		if (geoid !== void 0) this.takeGeoid(geoid.file);
-		const notCameras = cameras === void 0 ? "" : await this.takeCameras(cameras.file, photos);
-		const tables = await this.takeTables(alone.map(({ file }) => file).filter((file) => TABLE.test(file.name) && !film.files.has(file)), photos);
-		here();
-		const aside = found.length - photos.length - film.files.size - tables.count - [
-			project,
-			cameras,
-			geoid
-		].filter((file) => file !== void 0).length + lone.length;
-		if (photos.length > 0 || aside > 0) this.add(photos, aside, [why, said].filter((text) => text !== "").join(" "), before);
-		else await this.said([said, film.said === "" ? "" : framesStep(this.store.state)].filter((text) => text !== "").join(" "));
-		const putAside = [
-			unread,
-			degrees.map(({ file }) => say("is-a-grid-at-longitudes", { name: file.name })).join(" "),
-			film.aside,
-			this.marksOfNone(film.marks),
-			notCameras,
-			tables.aside
-		].filter((text) => text !== "").join(" ");
-		if (putAside === "") return;
-		const { notice } = this.store.state;
-		if (given.length > 0 && kinds.size === given.length) this.tellUnread(unread);
-		else this.tellBeside(notice === before ? null : notice, putAside);
-	}
-	takeGround(given, asHeights = false) {
-		return this.takeHere(given.map(({ name }) => name), (here) => this.takeRasters(given, asHeights, here));
-	}
-	async takeRasters(given, asHeights, here) {
-		const kinds = await refusedKinds(given);
-		const { others, ...sorted } = await sortRasters(given.filter((file) => !kinds.has(file)).map((file) => ({
-			file,
-			path: ""
-		})));
-		here();
-		const unknown = others.map(({ file }) => ({
-			file,
-			world: null,
-			projection: null
-		}));
-		const pictures = asHeights ? [] : [...sorted.orthophotos, ...sorted.orthophotos.length > 0 ? [] : unknown];
-		const heights = [
-			...sorted.heights,
-			...sorted.degrees,
-			...asHeights ? [...sorted.orthophotos, ...unknown] : []
-		];
-		const text = await this.ground.take({
-			orthophotos: pictures,
-			heights,
-			worlds: sorted.worlds,
-			projections: sorted.projections
-		});
-		here();
-		await this.said(text, kindsText(kinds));
-	}
-	async takeLevel(height) {
-		await this.left();
-		await this.said(await this.ground.takeLevel(height));
-	}
-	async said(text, unread = "") {
-		if (text !== null && text !== "") this.tell("info", text);
-		if (unread !== "" && text === "") this.tellUnread(unread);
-		else if (unread !== "") this.tellBeside(this.store.state.notice, unread);
-		if (text === null || text === "") return;
-		const { shown, placing, files, running } = this.store.state;
-		if (shown === null && running.kind !== "yes" && !this.waits && files.length > 0 && placing.placed.size === 0) await this.start();
-	}
-	async start() {
-		const { state } = this.store;
-		if (purposeOf(state) === "images") await this.runs.placeImages();
-		else if (awaitsFrames(state.placing.film, state.files)) return;
-		else if (state.files.length >= 2 && !asksPurpose(state)) await this.runs.run();
-	}
-	give(files, masks) {
-		return this.takeHere([...files, ...masks].map(({ name }) => name), async (here) => {
-			await this.takeKinds(files.map((file) => ({
-				file,
-				path: ""
-			})), say("more-than-two-images-are"), here);
-			if (masks.length > 0) this.takeMasks(masks);
-		});
+		this.telling = telling;
+		this.aside = aside;
+		this.takeHere = takeHere;
+		this.waits = waits;
 	}
 	sample(flight) {
 		return this.takeHere([say("simulated-block")], async (here) => {
-			if (await this.simulate(flight, here)) await this.runs.run();
+			if (await this.simulate(flight, here)) await this.runs.run(here);
 		});
 	}
 	sampleOnOrthophoto(flight, gsd) {
 		return this.takeHere([say("simulated-block")], async (here) => {
 			if (!await this.simulate(flight, here)) return;
-			this.tell("busy", say("making-the-orthophoto-of-the"));
+			this.telling.tell("busy", say("making-the-orthophoto-of-the"));
 			try {
 				const { picture, heights } = await this.placing.scene(flight, gsd);
 				here();
@@ -4537,11 +4871,11 @@ var BlockFiles = class {
 					worlds: [],
 					projections: []
 				};
-				const taken = await this.ground.take(rasters);
+				const taken = await this.ground.take(rasters, here);
 				here();
-				if (taken !== null) await this.runs.placeImages();
+				if (taken !== null) await this.runs.placeImages(here);
 			} catch (error) {
-				this.failed(say("the-orthophoto-could-not-be"), error, here);
+				this.telling.failed(say("the-orthophoto-could-not-be"), error, here);
 			}
 		});
 	}
@@ -4549,22 +4883,22 @@ var BlockFiles = class {
 		return this.takeHere([say("simulated-block")], async (here) => {
 			const { flight } = this.store.state;
 			if (flight === null || !await this.simulate(flight, here)) return;
-			if (this.waits) this.tell("info", say("photos-of-a-simulated-block", { files: this.store.state.files.length }));
-			else await this.runs.run();
+			if (this.waits()) this.telling.tell("info", say("photos-of-a-simulated-block", { files: this.store.state.files.length }));
+			else await this.runs.run(here);
 		});
 	}
 	async simulate(flight, here) {
-		this.tell("busy", say("building-the-synthetic-scene"));
+		this.telling.tell("busy", say("building-the-synthetic-scene"));
 		try {
 			const { files, truth } = await this.engine.photograph(flight, (count, of) => {
 				here();
-				this.tell("busy", say("photographing-the-simulated-block-of", {
+				this.telling.tell("busy", say("photographing-the-simulated-block-of", {
 					count,
 					of
 				}));
 			});
 			here();
-			const stays = await this.leave(say("photograph-another-block"), here);
+			const stays = await this.aside.leave(say("photograph-another-block"), here);
 			if (stays === null) {
 				this.store.dispatch({
 					type: "notice",
@@ -4583,284 +4917,16 @@ var BlockFiles = class {
 			});
 			return true;
 		} catch (error) {
-			this.failed(say("the-block-could-not-be"), error, here);
+			this.telling.failed(say("the-block-could-not-be"), error, here);
 			return false;
 		}
 	}
-	async takeCameras(file, photos) {
-		const { state } = this.store;
-		const text = await file.text();
-		const files = [...state.files, ...photos.map((photo) => ({
-			id: 0,
-			name: photo.file.name,
-			file: photo.file
-		}))];
-		const { cameras: problem } = problemsOf({
-			...state,
-			files,
-			options: {
-				...state.options,
-				cameras: {
-					name: file.name,
-					text
-				}
-			}
-		});
-		if (problem === void 0) {
-			await this.takeText("cameras", file);
-			return "";
-		}
-		const fields = fieldsOf(text);
-		if ("tiepoint_settings" in fields) return say("holds-settings", { name: file.name });
-		return say("cameras" in fields ? "cameras-are-put-aside" : "holds-no-cameras", { problem: sentence(problem) });
-	}
-	async takeFilm(given) {
-		const cameras = [];
-		const marks = [];
-		for (const file of given) if (CAMERAS$1.test(file.name) && FOCAL_LENGTH in fieldsOf(await file.text())) cameras.push(file);
-		else if (TABLE.test(file.name) && hasFiducials(await file.text())) marks.push(file);
-		const [camera] = cameras;
-		const said = [...camera === void 0 ? [] : [await this.film.camera(camera)], ...marks.length === 0 ? [] : [await this.film.marks(marks)]];
-		const texts = (kind) => said.flatMap((one) => one.kind === kind ? [one.text] : []).join(" ");
-		return {
-			files: new Set([...camera === void 0 ? [] : [camera], ...marks]),
-			marks: marks.map(({ name }) => name),
-			said: texts("info"),
-			aside: texts("problem")
-		};
-	}
-	marksOfNone(names) {
-		const { placing, files } = this.store.state;
-		return marksOfNone(placing.film, files).filter((name) => names.includes(name)).map((name) => say("marks-of-no-image", { name })).join(" ");
-	}
-	async takeTables(files, photos) {
-		const names = new Set([...this.store.state.files, ...photos.map(({ file }) => file)].map(({ name }) => name));
-		const aside = [];
-		let count = 0;
-		for (const file of files) {
-			const text = await file.text();
-			const found = kindOfTable(text, names);
-			if (found.kind === "neither" && !CSV.test(file.name) && !hasNumbers(text)) continue;
-			count += 1;
-			if (found.kind === "neither") aside.push(say("is-no-table-of", {
-				name: file.name,
-				why: sentence(found.why)
-			}));
-			else if (found.kind !== "fiducials") await this.takeText(found.kind, file);
-		}
-		return {
-			count,
-			aside: aside.join(" ")
-		};
-	}
-	tellBeside(said, text) {
-		const notice = said === null ? {
-			kind: "info",
-			text,
-			beside: true
-		} : {
-			...said,
-			text: `${said.text} ${text}`
-		};
-		this.store.dispatch({
-			type: "notice",
-			notice
-		});
-	}
-	async takeText(given, file) {
-		this.store.dispatch({
-			type: "options",
-			options: { [given]: {
-				name: file.name,
-				text: await file.text()
-			} }
-		});
-		const problem = problemsOf(this.store.state)[given];
-		const said = say("from", {
-			texts: TEXTS[given],
-			name: file.name
-		});
-		if (problem === void 0) this.tellTaken((given === "control" || given === "marks") && waitsForMarks(this.store.state) ? `${said} ${controlText(this.store.state)}` : said);
-		else if (problem === PARTNER_MISSING[given]) this.tellTaken(say("from-2", {
-			texts: TEXTS[given],
-			name: file.name,
-			problem
-		}));
-		else this.tell("problem", say("the-block-cannot-be-run", { problem: sentence(problem) }));
-	}
-	takeMasks(files) {
-		this.store.dispatch({
-			type: "options",
-			options: { masks: files.map((file) => ({
-				id: newId(),
-				name: file.name,
-				file
-			})) }
-		});
-		const problem = problemsOf(this.store.state).masks;
-		if (problem !== void 0) this.tell("problem", say("the-block-cannot-be-run-with", { problem: sentence(problem) }));
-	}
-	takeGeoid(file) {
-		this.store.dispatch({
-			type: "options",
-			options: { geoid: {
-				id: newId(),
-				name: file.name,
-				file
-			} }
-		});
-		const problem = problemsOf(this.store.state).geoid;
-		if (problem === void 0) this.tellTaken(say("from", {
-			texts: say("geoid"),
-			name: file.name
-		}));
-		else this.tell("problem", say("the-block-cannot-be-run", { problem: sentence(problem) }));
-	}
-	open(file) {
-		return this.takeHere([file.name], async (here) => {
-			this.tell("busy", say("reading", { name: file.name }));
-			try {
-				const { view, edits, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
-				here();
-				const edited = await this.leave(say("open-the-other-project"), here);
-				if (edited === null) {
-					this.store.dispatch({
-						type: "notice",
-						notice: null
-					});
-					return;
-				}
-				const stays = edited || this.store.state.shown !== null && await this.putAside();
-				here();
-				hold();
-				this.store.dispatch({
-					type: "openedFile",
-					view,
-					edits
-				});
-				const former = stays ? say("the-former-block-stays-under") : "";
-				this.tell("info", say("was-opened-the-file-does", {
-					name: file.name,
-					former
-				}));
-			} catch (error) {
-				this.failed(say("cannot-be-opened", { name: file.name }), error, here);
-			}
-		});
-	}
-	async decide(purpose) {
-		this.store.dispatch({
-			type: "purpose",
-			purpose
-		});
-		this.store.dispatch({
-			type: "notice",
-			notice: null
-		});
-		if (purpose === "images") await this.runs.placeImages();
-		else if (purpose === "block") await this.run();
-		else this.store.dispatch({
-			type: "stage",
-			view: "map"
-		});
-	}
-	async run() {
-		const { shown, history } = this.store.state;
-		const names = shown === null ? null : namesOf$1(shown.found);
-		const isSame = shown !== null && shown.tiePoints !== "" && shown.key === wantedKey(this.store.state);
-		const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names), isSame);
-		if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run();
-		this.tell("busy", say("keeping-the-edited-block"));
-		const stays = await this.leave(say("run-it-again"));
-		this.store.dispatch({
-			type: "notice",
-			notice: null
-		});
-		if (stays === null) return;
-		await this.runs.run();
-		const { notice, running } = this.store.state;
-		if (!stays || running.kind !== "no" || notice === null) return;
-		this.store.dispatch({
-			type: "notice",
-			notice: {
-				...notice,
-				text: say("the-former-block-stays-under-projects", { text: notice.text })
-			}
-		});
-	}
-	async clear() {
-		const { shown, history, marks } = this.store.state;
-		const isEdited = history.edits.length + marks.edits.length > 0;
-		const stays = await this.leave(say("remove-all-images"));
-		if (stays === null) return;
-		this.store.dispatch({ type: "clear" });
-		const what = shown === null ? say("project") : isEdited ? say("edited-block") : say("oriented-block");
-		if (stays) this.tell("info", say("the-stays-under-projects", { what }));
-	}
-	async leave(step, here = () => void 0) {
-		const { shown, truth, history, marks, placing } = this.store.state;
-		const length = history.edits.length + marks.edits.length;
-		const isFound = shown !== null && !shown.view.partial && shown.view.oriented > 0 && truth === null;
-		if (length === 0 && placing.placed.size === 0 && !isFound) return false;
-		const stays = await this.putAside();
-		here();
-		if (stays) return true;
-		const what = placing.placed.size > 0 ? say("what-was-placed-on-the") : say("the-block-of-these-photos");
-		const edits = length === 0 ? what : length === 1 ? say("the-edit-by-hand-of") : say("the-edits-by-hand-of", { length });
-		return window.confirm(say("cannot-be-kept-in-this", {
-			edits,
-			step,
-			length: Math.max(1, length)
-		})) ? false : null;
-	}
-	add(found, aside, why, noticed) {
-		const files = new Map(this.store.state.files.map((file) => [file.name, file]));
-		const before = files.size;
-		for (const { file, path } of found) {
-			const name = [file.name, path].find((text) => text !== "" && !files.has(text));
-			if (name !== void 0) files.set(name, {
-				id: newId(),
-				name,
-				file
-			});
-		}
-		const twice = found.length - (files.size - before);
-		const sorted = [...files.values()].sort((a, b) => a.name < b.name ? -1 : 1);
-		const own = ofOpened(this.store.state, sorted);
-		if (sorted.length > before) {
-			this.store.dispatch({
-				type: "files",
-				files: sorted,
-				truth: this.store.state.truth
-			});
-			if (!this.waits && own === null) this.start();
-		}
-		const runs = this.runsNow();
-		const notes = [
-			why,
-			runs || own !== null ? "" : say("in-the-block", { sorted: images$1(sorted.length) }),
-			own ?? "",
-			twice > 0 ? say("skipped-their-names-are-in", { twice: images$1(twice) }) : "",
-			aside > 0 ? say("skipped-not-an-image-by", { aside }) : "",
-			runs || own !== null ? "" : this.nextStep(sorted.length)
-		].filter((note) => note !== "");
-		const { notice } = this.store.state;
-		if (notes.length === 0 || notice?.kind === "problem" && notice !== noticed) return;
-		this.store.dispatch({
-			type: "notice",
-			notice: {
-				kind: "info",
-				text: notes.join(" "),
-				beside: runs,
-				passing: notes.length === 1 && why !== ""
-			}
-		});
-	}
-	nextStep(count) {
-		if (purposeOf(this.store.state) === "images") return say("press-place");
-		const frames = framesStep(this.store.state);
-		if (frames !== "") return frames;
-		return count >= 2 ? say("press-run") : NEEDS_MORE;
+};
+// www/block/files/told.ts
+var Telling = class {
+	store;
+	constructor(store) {
+		this.store = store;
 	}
 	tell(kind, text) {
 		this.store.dispatch({
@@ -4902,6 +4968,261 @@ var BlockFiles = class {
 			what,
 			error: messageOf(error)
 		}));
+	}
+	tellBeside(said, text) {
+		const notice = said === null ? {
+			kind: "info",
+			text,
+			beside: true
+		} : {
+			...said,
+			text: `${said.text} ${text}`
+		};
+		this.store.dispatch({
+			type: "notice",
+			notice
+		});
+	}
+};
+// www/block/files/files.ts
+var PROJECT = /\.tiepoint$/iu;
+var GEOID = /\.gtx$/iu;
+var NEEDS_MORE = say("a-block-needs-two-images");
+var WAITS = "tiepoint-wait";
+var BlockFiles = class {
+	store;
+	engine;
+	runs;
+	openProject;
+	left;
+	beside;
+	film;
+	simulated;
+	actions;
+	ground;
+	telling;
+	aside;
+	takeHere;
+	waiting = keptChoice(WAITS) === "yes";
+	constructor(store, engine, placing, runs, openProject, putAside, left, stays) {
+		this.store = store;
+		this.engine = engine;
+		this.runs = runs;
+		this.openProject = openProject;
+		this.left = left;
+		const telling = new Telling(store);
+		const aside = new BlockAside(store, putAside);
+		this.takeHere = (names, take) => takeHere(left, take, () => telling.tell("info", say("were-not-taken-the-project", {
+			files: names.length,
+			names: namesText(names)
+		})));
+		this.telling = telling;
+		this.aside = aside;
+		this.ground = new GroundFiles(store, placing);
+		this.film = new FilmFiles(store, this.takeHere);
+		this.beside = new BesideFiles(store, telling, this.film, this.takeHere);
+		this.simulated = new SimulatedFiles(store, engine, placing, this.ground, runs, telling, aside, this.takeHere, () => this.waiting);
+		this.actions = new BlockActions(store, placing, runs, telling, aside, stays);
+	}
+	get waits() {
+		return this.waiting;
+	}
+	set waits(waits) {
+		this.waiting = waits;
+		keepChoice(WAITS, waits ? "yes" : "no");
+	}
+	take(given, why = "") {
+		return this.takeHere(given.map(({ file }) => file.name), (here) => this.takeKinds(given, why, here));
+	}
+	async takeKinds(given, why, here) {
+		const before = this.store.state.notice;
+		const kinds = await refusedKinds(given.map(({ file }) => file));
+		const unread = kindsText(kinds);
+		const { others: found, taken, degrees, ...rasters } = asGiven(await sortRasters(given.filter(({ file }) => !kinds.has(file))));
+		here();
+		const lone = rasters.projections.filter(({ name }) => !rasters.worlds.some((world) => stemOf(world.name) === stemOf(name)));
+		const ground = await this.ground.take(rasters, here);
+		here();
+		const several = taken === 0 ? "" : say("that-say-where-they-lie", { taken: images$1(taken) });
+		if (ground === null) {
+			if (unread !== "") this.telling.tellBeside(this.store.state.notice, unread);
+			return;
+		}
+		const alone = found.filter(({ path }) => path === "");
+		const project = alone.find(({ file }) => PROJECT.test(file.name));
+		const film = await this.beside.ofFilm(alone.map(({ file }) => file), here);
+		here();
+		const said = [
+			ground,
+			several,
+			film.said
+		].filter((text) => text !== "").join(" ");
+		const cameras = alone.find(({ file }) => CAMERAS$1.test(file.name) && !film.files.has(file));
+		const geoid = alone.find(({ file }) => GEOID.test(file.name));
+		const photos = found.filter(({ file }) => IMAGE_FILE.test(file.name) || file.type.startsWith("image/"));
+		if (project !== void 0) await this.openProject(project.file);
+		here();
+		if (geoid !== void 0) this.beside.takeGeoid(geoid.file);
+		const notCameras = cameras === void 0 ? "" : await this.beside.cameras(cameras.file, photos, here);
+		const tables = await this.beside.tables(alone.map(({ file }) => file).filter((file) => TABLE.test(file.name) && !film.files.has(file)), photos, here);
+		here();
+		const aside = found.length - photos.length - film.files.size - tables.count - [
+			project,
+			cameras,
+			geoid
+		].filter((file) => file !== void 0).length + lone.length;
+		if (photos.length > 0 || aside > 0) this.add(here, photos, aside, [why, said].filter((text) => text !== "").join(" "), before);
+		else await this.said(here, [said, film.said === "" ? "" : framesStep(this.store.state)].filter((text) => text !== "").join(" "));
+		const putAside = [
+			unread,
+			degrees.map(({ file }) => say("is-a-grid-at-longitudes", { name: file.name })).join(" "),
+			film.aside,
+			this.beside.marksOfNone(film.marks),
+			notCameras,
+			tables.aside
+		].filter((text) => text !== "").join(" ");
+		if (putAside === "") return;
+		const { notice } = this.store.state;
+		if (given.length > 0 && kinds.size === given.length) this.telling.tellUnread(unread);
+		else this.telling.tellBeside(notice === before ? null : notice, putAside);
+	}
+	takeGround(given, asHeights = false) {
+		return this.takeHere(given.map(({ name }) => name), (here) => this.takeRasters(given, asHeights, here));
+	}
+	async takeRasters(given, asHeights, here) {
+		const kinds = await refusedKinds(given);
+		const { others, ...sorted } = await sortRasters(given.filter((file) => !kinds.has(file)).map((file) => ({
+			file,
+			path: ""
+		})));
+		here();
+		const unknown = others.map(({ file }) => ({
+			file,
+			world: null,
+			projection: null
+		}));
+		const pictures = asHeights ? [] : [...sorted.orthophotos, ...sorted.orthophotos.length > 0 ? [] : unknown];
+		const heights = [
+			...sorted.heights,
+			...sorted.degrees,
+			...asHeights ? [...sorted.orthophotos, ...unknown] : []
+		];
+		const text = await this.ground.take({
+			orthophotos: pictures,
+			heights,
+			worlds: sorted.worlds,
+			projections: sorted.projections
+		}, here);
+		here();
+		await this.said(here, text, kindsText(kinds));
+	}
+	takeLevel(height) {
+		return doHere(this.left, async (here) => this.said(here, await this.ground.takeLevel(height, here)));
+	}
+	async said(here, text, unread = "") {
+		here();
+		if (text !== null && text !== "") this.telling.tell("info", text);
+		if (unread !== "" && text === "") this.telling.tellUnread(unread);
+		else if (unread !== "") this.telling.tellBeside(this.store.state.notice, unread);
+		if (text === null || text === "") return;
+		const { shown, placing, files, running } = this.store.state;
+		if (shown === null && running.kind !== "yes" && !this.waits && files.length > 0 && placing.placed.size === 0) await this.start(here);
+	}
+	async start(here) {
+		const { state } = this.store;
+		if (purposeOf(state) === "images") await this.runs.placeImages(here);
+		else if (awaitsFrames(state.placing.film, state.files)) return;
+		else if (state.files.length >= 2 && !asksPurpose(state)) await this.runs.run(here);
+	}
+	give(files, masks) {
+		return this.takeHere([...files, ...masks].map(({ name }) => name), async (here) => {
+			await this.takeKinds(files.map((file) => ({
+				file,
+				path: ""
+			})), say("more-than-two-images-are"), here);
+			if (masks.length > 0) this.beside.takeMasks(masks);
+		});
+	}
+	open(file) {
+		return this.takeHere([file.name], async (here) => {
+			this.telling.tell("busy", say("reading", { name: file.name }));
+			try {
+				const { view, edits, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
+				here();
+				const edited = await this.aside.leave(say("open-the-other-project"), here);
+				if (edited === null) {
+					this.store.dispatch({
+						type: "notice",
+						notice: null
+					});
+					return;
+				}
+				const stays = edited || this.store.state.shown !== null && await this.aside.putAside();
+				here();
+				hold();
+				this.store.dispatch({
+					type: "openedFile",
+					view,
+					edits
+				});
+				const former = stays ? say("the-former-block-stays-under") : "";
+				this.telling.tell("info", say("was-opened-the-file-does", {
+					name: file.name,
+					former
+				}));
+			} catch (error) {
+				this.telling.failed(say("cannot-be-opened", { name: file.name }), error, here);
+			}
+		});
+	}
+	add(here, found, aside, why, noticed) {
+		const files = new Map(this.store.state.files.map((file) => [file.name, file]));
+		const before = files.size;
+		for (const { file, path } of found) {
+			const name = [file.name, path].find((text) => text !== "" && !files.has(text));
+			if (name !== void 0) files.set(name, {
+				id: newId(),
+				name,
+				file
+			});
+		}
+		const twice = found.length - (files.size - before);
+		const sorted = [...files.values()].sort((a, b) => a.name < b.name ? -1 : 1);
+		const own = ofOpened(this.store.state, sorted);
+		if (sorted.length > before) {
+			this.store.dispatch({
+				type: "files",
+				files: sorted,
+				truth: this.store.state.truth
+			});
+			if (!this.waits && own === null) this.start(here);
+		}
+		const runs = this.telling.runsNow();
+		const notes = [
+			why,
+			runs || own !== null ? "" : say("in-the-block", { sorted: images$1(sorted.length) }),
+			own ?? "",
+			twice > 0 ? say("skipped-their-names-are-in", { twice: images$1(twice) }) : "",
+			aside > 0 ? say("skipped-not-an-image-by", { aside }) : "",
+			runs || own !== null ? "" : this.nextStep(sorted.length)
+		].filter((note) => note !== "");
+		const { notice } = this.store.state;
+		if (notes.length === 0 || notice?.kind === "problem" && notice !== noticed) return;
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: notes.join(" "),
+				beside: runs,
+				passing: notes.length === 1 && why !== ""
+			}
+		});
+	}
+	nextStep(count) {
+		if (purposeOf(this.store.state) === "images") return say("press-place");
+		const frames = framesStep(this.store.state);
+		if (frames !== "") return frames;
+		return count >= 2 ? say("press-run") : NEEDS_MORE;
 	}
 };
 function ofOpened({ shown }, files) {
@@ -5156,6 +5477,56 @@ function placeFrom(value, name) {
 		by: by === "least_squares" ? by : "hand"
 	};
 }
+// www/block/files/earlier-keys.ts
+function withPresentKeys(placing, files, options) {
+	if (placing.placed.size === 0) return placing;
+	const names = new Map(files.map(({ id, name }) => [id, name]));
+	const positionIn = (positions, image) => givenPositions({
+		files,
+		placing,
+		options: {
+			...options,
+			positions
+		}
+	}).get(image) ?? null;
+	const placed = [...placing.placed].map(([id, own]) => {
+		const key = presentKey(own.key, (table) => positionIn(table, names.get(id) ?? ""));
+		return [id, key === own.key ? own : {
+			...own,
+			key
+		}];
+	});
+	return {
+		...placing,
+		placed: new Map(placed)
+	};
+}
+function presentKey(key, positionIn) {
+	let parts;
+	try {
+		const given = JSON.parse(key);
+		const [all, ...own] = given;
+		parts = typeof all === "string" ? {
+			all: JSON.parse(all),
+			own
+		} : {
+			all: given,
+			own: []
+		};
+	} catch {
+		return key;
+	}
+	const { all, own } = parts;
+	if (own.length > 1) return key;
+	const [orthophoto, heights, options, cameras, table = null] = all;
+	const position = table === null ? null : positionIn(table);
+	return keyWith(JSON.stringify([
+		orthophoto,
+		heights,
+		options,
+		cameras
+	]), own[0] ?? null, position);
+}
 // www/block/files/keep-former.ts
 var FORMER = "block/former";
 var SPOT = 60;
@@ -5352,16 +5723,18 @@ var KeptBlocks = class {
 	store;
 	engine;
 	catalogue;
+	end;
 	mode = "block";
 	made = null;
 	journal = new Journal("block/edits", stepFrom, bytesOfStep);
 	marks = new Journal("block/marks", markStepFrom, bytesOfMarks);
 	making = null;
 	changed = () => void 0;
-	constructor(store, engine, catalogue) {
+	constructor(store, engine, catalogue, end) {
 		this.store = store;
 		this.engine = engine;
 		this.catalogue = catalogue;
+		this.end = end;
 	}
 	watch(changed) {
 		this.changed = changed;
@@ -5450,7 +5823,7 @@ var KeptBlocks = class {
 		const masks = kept.masks.map((file) => fileFrom(parts, file));
 		const geoid = orNull(kept.geoid, (file) => fileFrom(parts, file));
 		const placed = new Map([...parts].flatMap(([part, value]) => part.startsWith(PLACED) ? [[Number(part.slice(13)), value]] : []));
-		const placing = placingFrom(kept.placing, placed, this.catalogue, fileOf$2, (file) => fileFrom(parts, file));
+		const placing = withPresentKeys(placingFrom(kept.placing, placed, this.catalogue, fileOf$2, (file) => fileFrom(parts, file)), files, kept.options);
 		const history = this.journal.read(parts);
 		const marks = this.marks.read(parts);
 		const { former, damage } = formerOrNone(parts, history);
@@ -5522,7 +5895,7 @@ var KeptBlocks = class {
 	clear() {
 		this.made = null;
 		this.engine.keepSpare(null);
-		if (this.store.state.running.kind === "yes") this.engine.cancel();
+		this.end();
 		this.engine.takeRecords(new Map());
 		this.store.dispatch({ type: "cleared" });
 	}
@@ -5701,7 +6074,16 @@ var BlockRuns = class {
 		this.images = images;
 		this.block = block;
 	}
-	async run() {
+	run(here) {
+		return unlessLeft(this.runBlock(here));
+	}
+	placeImages(here) {
+		return unlessLeft(this.placeEach(here));
+	}
+	takeOff(here) {
+		return unlessLeft(this.takeBlockOff(here));
+	}
+	async runBlock(here) {
 		const { state } = this.store;
 		if (purposeOf(state) === "block") this.store.dispatch({
 			type: "purpose",
@@ -5713,11 +6095,12 @@ var BlockRuns = class {
 		});
 		const runs = !lacksPlaceAlone(state);
 		if (runs) await this.engine.run();
+		here();
 		const { running, notice } = this.store.state;
 		const said = runs && notice?.beside === true ? notice.text : "";
-		if (running.kind === "no" && lacksPlaceAlone(this.store.state)) await this.placeBlock(said);
+		if (running.kind === "no" && lacksPlaceAlone(this.store.state)) await this.placeBlock(here, said);
 	}
-	async placeImages(files) {
+	async placeEach(here) {
 		this.store.dispatch({
 			type: "purpose",
 			purpose: "images"
@@ -5731,24 +6114,29 @@ var BlockRuns = class {
 			notice: null
 		});
 		try {
-			if (await this.images.place(files) === null) this.tell("info", say("cancelled-what-was-placed-stays"));
+			const done = await this.images.place();
+			here();
+			if (done === null) this.tell("info", say("cancelled-what-was-placed-stays"));
 		} catch (error) {
+			here();
 			this.tell("problem", say("nothing-was-placed", { sentence: sentence(messageOf(error)) }));
 		}
 	}
-	async takeOff() {
+	async takeBlockOff(here) {
 		this.tell("busy", say("taking-the-block-off-the"));
 		try {
 			await this.block.takeOff();
+			here();
 			if (this.store.state.notice?.kind === "busy") this.store.dispatch({
 				type: "notice",
 				notice: null
 			});
 		} catch (error) {
+			here();
 			this.tell("problem", say("the-block-stays-as-it", { sentence: sentence(messageOf(error)) }));
 		}
 	}
-	async placeBlock(said) {
+	async placeBlock(here, said) {
 		const andSaid = (text) => [text, said].join(" ").trimEnd();
 		if (imagesOfBlock(this.store.state).length === 0) {
 			this.tell("info", andSaid(say("a-block-is-placed-by")), true);
@@ -5759,8 +6147,11 @@ var BlockRuns = class {
 			notice: null
 		});
 		try {
-			if (!await this.block.place()) this.tell("info", andSaid(say("cancelled-the-block-is-as")), true);
+			const isPlaced = await this.block.place();
+			here();
+			if (!isPlaced) this.tell("info", andSaid(say("cancelled-the-block-is-as")), true);
 		} catch (error) {
+			here();
 			this.tell("problem", andSaid(say("the-block-stays-as-it", { sentence: sentence(messageOf(error)) })));
 		}
 	}
@@ -5814,15 +6205,19 @@ function isOtherPage(address, other) {
 	if (views.includes("") && views.includes(PAIR)) return false;
 	return String(a) !== String(b);
 }
+function viewNamed(address) {
+	const named = new URLSearchParams(address.replace(/^#/u, ""));
+	return VIEWS.find((name) => name === named.get("view"));
+}
 function askedPair(address, view) {
 	const named = new URLSearchParams(address.replace(/^#/u, ""));
 	const [a = -1, b = -1] = named.getAll("image").map((name) => view.images.findIndex((image) => image.name === name));
 	return named.get("view") !== PAIR || a < 0 || b < 0 || a === b ? null : [a, b];
 }
 function asked(address, view) {
-	const named = new URLSearchParams(address.replace(/^#/u, ""));
-	const wanted = VIEWS.find((name) => name === named.get("view"));
+	const wanted = viewNamed(address);
 	if (wanted === void 0) return null;
+	const named = new URLSearchParams(address.replace(/^#/u, ""));
 	const indexOf = (name) => view.images.findIndex((image) => image.name === name);
 	const images = named.getAll("image").map(indexOf);
 	const several = named.getAll("images").map(indexOf).filter((image) => image >= 0);
@@ -5859,12 +6254,24 @@ function choiceOf$2(images, points) {
 }
 // www/block/panel/address.ts
 function mountAddress(store, modes, pair) {
-	let waiting = window.location.hash === "" ? null : window.location.hash;
+	let waiting = window.location.hash === "" ? null : {
+		address: window.location.hash,
+		part: null
+	};
 	let isViewed = false;
 	let isFollowing = false;
+	let isMissed = false;
 	let isOpening = false;
-	let hadBlock = false;
+	let later = null;
+	let hadBlock = null;
+	const goTo = (wanted) => {
+		if (isOpening) later = wanted;
+		waiting = wanted;
+		isViewed = false;
+		tell();
+	};
 	const show = async (images) => {
+		if (isOpening) return;
 		const isThere = isShown(store, pair) || pair.names().every((name) => name === null);
 		if (String(store.state.opened) === String(images) && isThere) {
 			modes.dispatch("pair");
@@ -5875,17 +6282,23 @@ function mountAddress(store, modes, pair) {
 			await pair.open(images);
 		} finally {
 			isOpening = false;
-			tell(false);
+			const next = later;
+			later = null;
+			if (next === null) tell(false);
+			else goTo(next);
 		}
 	};
-	const follow = (address) => {
+	const follow = ({ address, part }) => {
 		const { shown, history } = store.state;
 		if (address === "") {
 			waiting = null;
-			if (shown !== null) modes.dispatch("pair");
+			modes.dispatch(part ?? "pair");
 			return;
 		}
-		if (shown === null || shown.view.partial) return;
+		if (shown === null || shown.view.partial) {
+			if (part !== null) showPart(part, address);
+			return;
+		}
 		const wanted = asked(address, shown.view);
 		if (wanted !== null && !isViewed) {
 			isViewed = true;
@@ -5904,23 +6317,48 @@ function mountAddress(store, modes, pair) {
 			choice: wanted.choice
 		});
 	};
+	const showPart = (part, address) => {
+		waiting = null;
+		modes.dispatch(part);
+		const view = viewNamed(address);
+		if (view !== void 0) store.dispatch({
+			type: "stage",
+			view
+		});
+	};
 	const tell = (turns = true) => {
-		if (isFollowing) return;
-		const address = waiting;
-		if (address !== null) {
+		if (isFollowing) isMissed = true;
+		else if (waiting === null) put(turns);
+		else {
 			isFollowing = true;
-			follow(address);
-			isFollowing = false;
+			isMissed = false;
+			follow(waiting);
+			queueMicrotask(() => {
+				isFollowing = false;
+				if (waiting !== null && isMissed) tell(false);
+				else put(false);
+			});
 		}
+	};
+	const put = (turns) => {
 		if (waiting !== null || isOpening) return;
 		const hasBlock = store.state.shown !== null;
-		write(modes.state.mode === "block" ? addressOf(store.state) : addressNow(store, pair), turns && address === null && hadBlock && hasBlock);
+		const { mode } = modes.state;
+		write(mode, mode === "block" ? addressOf(store.state) : addressNow(store, pair), turns && hadBlock === hasBlock);
 		hadBlock = hasBlock;
 	};
+	window.addEventListener("popstate", ({ state }) => {
+		const part = partOf(state);
+		if (part !== null) goTo({
+			address: window.location.hash,
+			part
+		});
+	});
 	window.addEventListener("hashchange", () => {
-		waiting = window.location.hash;
-		isViewed = false;
-		tell();
+		if (partOf(window.history.state) === null) goTo({
+			address: window.location.hash,
+			part: null
+		});
 	});
 	store.watch([
 		"shown",
@@ -5929,15 +6367,21 @@ function mountAddress(store, modes, pair) {
 		"history",
 		"opened"
 	], () => tell());
-	modes.watch(["mode"], () => tell());
+	modes.watch(["mode"], () => tell(!modes.state.isKept));
 	pair.watch(() => tell());
 }
-function write(address, turns) {
+function partOf(entry) {
+	const part = typeof entry === "object" && entry !== null && "part" in entry ? entry.part : null;
+	return typeof part === "string" && isMode(part) ? part : null;
+}
+function write(part, address, turns) {
 	const { hash, pathname, search } = window.location;
-	if (hash === (address === "" ? "" : `#${address}`)) return;
+	const before = partOf(window.history.state);
+	if (hash === (address === "" ? "" : `#${address}`) && before === part) return;
 	const to = address === "" ? pathname + search : `#${address}`;
-	if (turns && isOtherPage(hash, address)) window.history.pushState(null, "", to);
-	else window.history.replaceState(window.history.state, "", to);
+	const isOther = before !== null && before !== part || isOtherPage(hash, address);
+	if (turns && isOther) window.history.pushState({ part }, "", to);
+	else window.history.replaceState({ part }, "", to);
 }
 function addressNow(store, pair) {
 	const { shown, opened } = store.state;
@@ -6412,7 +6856,7 @@ function mountFlight(host, store, files) {
 			},
 			defaults: () => catalogue.flight
 		});
-		const take = button(say("photograph-this-block"), "block-photograph", () => void files.photograph());
+		const take = button(say("photograph-this-block"), "block-photograph", () => void files.simulated.photograph());
 		take.className = "primary";
 		fill(host, h("p", { class: "note" }, say("a-flight-in-strips-over")), h("div", { class: "buttons" }, take), ...sections.elements);
 		store.watch(["flight"], ([flight]) => {
@@ -6612,7 +7056,7 @@ function placedAfter({ selection: { chosen }, ...after }, before) {
 }
 function selectedAfter({ selection, placing, ...after }, before) {
 	const { chosen } = selection;
-	const now = imageOf$2(after, placing.chosen.image);
+	const now = imageOf$1(after, placing.chosen.image);
 	if (now !== null) return imagesOf(chosen).includes(now) ? selection : reduceSelection(selection, {
 		type: "choose",
 		choice: {
@@ -6620,7 +7064,7 @@ function selectedAfter({ selection, placing, ...after }, before) {
 			image: now
 		}
 	});
-	const former = imageOf$2(after, before.placing.chosen.image);
+	const former = imageOf$1(after, before.placing.chosen.image);
 	return chosen?.kind === "image" && chosen.image === former ? reduceSelection(selection, {
 		type: "choose",
 		choice: null
@@ -6630,7 +7074,7 @@ function fileOf$1({ shown, files }, image) {
 	const name = shown?.view.images[image]?.name;
 	return files.find((file) => file.name === name)?.id ?? null;
 }
-function imageOf$2({ shown, files }, id) {
+function imageOf$1({ shown, files }, id) {
 	const name = files.find((file) => file.id === id)?.name;
 	const image = shown?.view.images.findIndex((own) => own.name === name) ?? -1;
 	return image < 0 ? null : image;
@@ -6731,6 +7175,10 @@ function reduced(state, action) {
 		case "mark":
 		case "gotoMark":
 		case "marks": return reduceEdits(state, action);
+		case "placed": return state.files.includes(action.image) ? {
+			...state,
+			placing: reducePlacing(state.placing, action)
+		} : state;
 		case "orthophoto":
 		case "heights":
 		case "film":
@@ -6738,7 +7186,6 @@ function reduced(state, action) {
 		case "purpose":
 		case "placing":
 		case "elsewhere":
-		case "placed":
 		case "choosePlaced":
 		case "pointPlaced":
 		case "picksPlace":
@@ -9517,9 +9964,9 @@ var OrthophotoTiles = class {
 		context.save();
 		context.transform(toCanvas.a, toCanvas.b, toCanvas.c, toCanvas.d, toCanvas.e, toCanvas.f);
 		context.imageSmoothingEnabled = scaleOf(toCanvas) * ratio < 2 || level > 0;
-		const missing = tilesOf(coarsest, seen, info).filter((tile) => !this.made.has(nameOf$1(tile)));
+		const missing = tilesOf(coarsest, seen, info).filter((tile) => !this.made.has(nameOf(tile)));
 		for (const tile of tilesOf(level, seen, info)) {
-			if (level < coarsest && !this.made.has(nameOf$1(tile))) missing.push(tile);
+			if (level < coarsest && !this.made.has(nameOf(tile))) missing.push(tile);
 			this.paintTile(context, tile, coarsest, info);
 		}
 		context.restore();
@@ -9529,7 +9976,7 @@ var OrthophotoTiles = class {
 		const side = 256 * 2 ** level;
 		const [x, y] = [column * side, row * side];
 		for (let up = 0; level + up <= coarsest; up++) {
-			const name = nameOf$1({
+			const name = nameOf({
 				level: level + up,
 				column: column >> up,
 				row: row >> up
@@ -9557,14 +10004,14 @@ var OrthophotoTiles = class {
 	}
 	next() {
 		while (this.asked.size < AT_ONCE) {
-			const tile = this.wanted.find((candidate) => !this.asked.has(nameOf$1(candidate)));
+			const tile = this.wanted.find((candidate) => !this.asked.has(nameOf(candidate)));
 			if (tile === void 0) return;
 			this.wanted = this.wanted.filter((other) => other !== tile);
 			this.fetch(tile, this.of);
 		}
 	}
 	async fetch(tile, of) {
-		const name = nameOf$1(tile);
+		const name = nameOf(tile);
 		this.asked.add(name);
 		try {
 			const bitmap = await this.make(tile.level, tile.column, tile.row);
@@ -9620,7 +10067,7 @@ function tilesOf(level, [left, top, right, bottom], { width, height }) {
 	});
 	return tiles;
 }
-function nameOf$1({ level, column, row }) {
+function nameOf({ level, column, row }) {
 	return `${String(level)} ${String(column)} ${String(row)}`;
 }
 // www/block/view/map/plan.ts
@@ -10675,7 +11122,7 @@ var LinkHands = class {
 		});
 		this.store.dispatch({
 			type: "placed",
-			image: file.id,
+			image: file,
 			placed: {
 				...own,
 				result,
@@ -10687,7 +11134,7 @@ var LinkHands = class {
 			const adjusted = await this.engine.adjust(file, found, steps.slice(0, done));
 			this.store.dispatch({
 				type: "placed",
-				image: file.id,
+				image: file,
 				placed: {
 					...own,
 					result: adjusted,
@@ -10710,7 +11157,7 @@ var LinkHands = class {
 		} catch (error) {
 			this.store.dispatch({
 				type: "placed",
-				image: file.id,
+				image: file,
 				placed: {
 					...own,
 					result,
@@ -12278,218 +12725,26 @@ function invited$1(store, { open, sample }) {
 	});
 	return welcome;
 }
-// www/block/files/frames.ts
-var LISTED$2 = 3;
-async function takeFrames(store, engine) {
-	const { files, placing, options } = store.state;
-	const scans = framesOf(placing.film, files);
-	const stems = scans.map(({ name }) => stemOf(name));
-	const twice = scans.find(({ name }, k) => stems.indexOf(stemOf(name)) !== k);
-	if (twice !== void 0) {
-		store.dispatch({
-			type: "notice",
-			notice: {
-				kind: "problem",
-				text: say("two-scans-of-one-name", { name: twice.name })
-			}
-		});
-		return;
-	}
-	try {
-		const masks = masksOf(scans, options.masks);
-		const films = scans.flatMap((file, k) => {
-			const film = filmOf(placing.film, file.name);
-			return film === null ? [] : [{
-				file,
-				film,
-				mask: masks[k] ?? null
-			}];
-		});
-		const frames = await engine.frames(films, camerasThere(files, options.cameras));
-		if (frames === null) store.dispatch({
-			type: "notice",
-			notice: {
-				kind: "info",
-				text: say("cancelled-nothing-was-changed")
-			}
-		});
-		else replace(store, frames);
-	} catch (error) {
-		store.dispatch({
-			type: "notice",
-			notice: {
-				kind: "problem",
-				text: say("no-frames-were-made", { sentence: sentence(messageOf(error)) })
-			}
-		});
-	}
-}
-function masksOf(scans, masks) {
-	const names = (files) => files.map(({ name }) => name);
-	return [...masks_of_images(names(scans), names(masks))].map((index) => masks[index]);
-}
-function replace(store, frames) {
-	const { files, truth, options, marks } = store.state;
-	const made = new Map(frames.map((frame) => [frame.of, frame]));
-	const scans = files.filter(({ id }) => made.has(id));
-	const { pattern, file: cameras } = camerasOf(frames, files, options.cameras);
-	const names = new Set(files.filter(({ id }) => !made.has(id)).map(({ name }) => name.toLowerCase()));
-	const taken = scans.map(({ name }) => frameName(name, pattern)).find((name) => names.has(name.toLowerCase()));
-	if (taken !== void 0) {
-		store.dispatch({
-			type: "notice",
-			notice: {
-				kind: "problem",
-				text: say("frame-is-there", { name: taken })
-			}
-		});
-		return;
-	}
-	const ownMasks = frames.map(({ of, mask }) => imageOf$1(files, of, mask, pattern));
-	const former = new Set([...masksOf(scans, options.masks), ...options.masks.filter(({ name }) => ownMasks.some((own) => own.name === name))]);
-	const masks = [...options.masks.filter((mask) => !former.has(mask)), ...ownMasks];
-	const images = files.map((file) => {
-		const frame = made.get(file.id);
-		return frame === void 0 ? file : imageOf$1(files, file.id, frame.image, pattern);
-	});
-	const measured = new Carried(scans.flatMap(({ id, name }) => {
-		const frame = made.get(id);
-		return frame === void 0 ? [] : [{
-			scan: name,
-			image: frameName(name, pattern),
-			film: frame.scan
-		}];
-	}));
-	const ofFile = measured.table(options.marks);
-	const byHand = withMeasurements(marks, (rows) => measured.rows(rows));
-	measured.count(marksByHand(marks));
-	store.dispatch({
-		type: "files",
-		files: images,
-		truth
-	});
-	store.dispatch({
-		type: "options",
-		options: {
-			masks,
-			cameras,
-			marks: ofFile
-		}
-	});
-	store.dispatch({
-		type: "marks",
-		marks: byHand
-	});
-	store.dispatch({
-		type: "film",
-		film: NO_FILM
-	});
-	const isKnown = frames.every(({ camera }) => camera.fixed);
-	const text = say("scans-became-frames", {
-		frames: frames.length,
-		known: isKnown ? "yes" : "no"
-	});
-	store.dispatch({
-		type: "notice",
-		notice: {
-			kind: "info",
-			text: [text, ...measured.said()].join(" ")
-		}
-	});
-}
-var Carried = class {
-	frames;
-	moved = 0;
-	beside = new Set();
-	constructor(frames) {
-		this.frames = frames;
-	}
-	rows(rows) {
-		return film_measurements([...rows], this.frames).measurements;
-	}
-	count(rows) {
-		const { moved, beside } = film_measurements([...rows], this.frames);
-		this.moved += moved;
-		for (const { image, point } of beside) this.beside.add(say("in", {
-			point,
-			image
-		}));
-	}
-	table(file) {
-		if (file === null) return null;
-		const scans = new Set(this.frames.map(({ scan }) => scan));
-		let rows;
-		try {
-			rows = parse_image_measurements(file.text, [...scans]);
-		} catch {
-			return file;
-		}
-		if (!rows.some(({ image }) => scans.has(image))) return file;
-		this.count(rows);
-		return {
-			name: file.name,
-			text: image_measurement_table(this.rows(rows))
-		};
-	}
-	said() {
-		const names = [...this.beside];
-		const listed = names.slice(0, LISTED$2).join(", ") + (names.length > LISTED$2 ? " …" : "");
-		return [...this.moved > 0 ? [say("measurements-carried", { moved: this.moved })] : [], ...names.length > 0 ? [say("measurements-beside-frames", {
-			count: names.length,
-			listed
-		})] : []];
-	}
-};
-function imageOf$1(files, scan, png, pattern) {
-	const name = frameName(nameOf(files, scan), pattern);
-	return {
-		id: newId(),
-		name,
-		file: new File([png], name, { type: png.type })
-	};
-}
-function nameOf(files, scan) {
-	return files.find(({ id }) => id === scan)?.name ?? "";
-}
-function camerasThere(files, given) {
-	return (given === null ? [] : parse_camera_rules(given.text)).filter(({ images = "*" }) => !isOfFrames(images) || files.some(({ name }) => name.endsWith(images.slice(1))));
-}
-function camerasOf(frames, files, given) {
-	const others = camerasThere(files, given);
-	const [first] = frames;
-	const pattern = first === void 0 ? "" : film_pattern(first.camera, others);
-	const own = frames.map(({ camera, of }) => ({
-		...camera,
-		images: frameName(nameOf(files, of), pattern)
-	}));
-	return {
-		pattern,
-		file: {
-			name: say("camera-of-frames"),
-			text: JSON.stringify({ cameras: film_cameras(pattern, own, others) })
-		}
-	};
-}
 // www/block/panel/film-settings.ts
 var LISTED$1 = 3;
-function filmFields(store, engine) {
-	const files = new FilmFiles(store);
+function filmFields(store, files) {
+	const { film: taken } = files;
 	const [camera, cameraInput] = fileButton(`${say("film-camera")} …`, {
 		testid: "block-film-camera",
 		label: say("file", { title: say("film-camera") }),
 		accept: ".json,application/json"
 	}, ([file]) => {
-		if (file !== void 0) files.takeCamera(file);
+		if (file !== void 0) taken.takeCamera(file);
 	});
 	const [marks, marksInput] = fileButton(`${say("marks-of-scans")} …`, {
 		testid: "block-film-marks",
 		label: say("file", { title: say("marks-of-scans") }),
 		multiple: true,
 		accept: ".csv,.txt,text/*"
-	}, (given) => void files.takeMarks(given));
-	const remove = button(say("remove"), "block-film-remove", () => files.clear());
+	}, (given) => void taken.takeMarks(given));
+	const remove = button(say("remove"), "block-film-remove", () => taken.clear());
 	remove.setAttribute("aria-label", say("remove-2", { title: say("scanned-film") }));
-	const frames = button(say("make-frames"), "block-film-frames", () => void takeFrames(store, engine));
+	const frames = button(say("make-frames"), "block-film-frames", () => void files.actions.frames());
 	const cameraName = h("p", {
 		class: "note",
 		testid: "block-film-camera-name"
@@ -12533,7 +12788,7 @@ function filmFields(store, engine) {
 // www/block/panel/placing-settings.ts
 var ORTHOPHOTO = say("none-a-geotiff-in-a");
 var HEIGHTS = say("none-the-ground-is-level");
-function mountPlacingSettings(host, store, files, engine) {
+function mountPlacingSettings(host, store, files) {
 	const [orthophoto, orthophotoInput] = fileButton(say("orthophoto-2"), {
 		testid: "block-orthophoto",
 		label: say("file-orthophoto"),
@@ -12597,7 +12852,7 @@ function mountPlacingSettings(host, store, files, engine) {
 				parameter
 			})
 		});
-		fill(host, given, filmFields(store, engine), ...sections.elements);
+		fill(host, given, filmFields(store, files), ...sections.elements);
 		store.watch((s) => [s.placing.options], ([options]) => {
 			if (options !== null) sections.show({ placing: options });
 		});
@@ -14066,7 +14321,7 @@ function masks(store, files) {
 	const part = besideField(store, "masks", say("masks"), {
 		multiple: true,
 		accept: "image/*,.tif,.tiff,.pgm,.pnm"
-	}, (given) => files.takeMasks(given), () => store.dispatch({
+	}, (given) => files.beside.takeMasks(given), () => store.dispatch({
 		type: "options",
 		options: { masks: [] }
 	}));
@@ -14082,7 +14337,7 @@ function masks(store, files) {
 }
 function geoid(store, files) {
 	const part = besideField(store, "geoid", say("geoid"), { accept: ".gtx,.tif,.tiff,.pgm" }, ([file]) => {
-		if (file !== void 0) files.takeGeoid(file);
+		if (file !== void 0) files.beside.takeGeoid(file);
 	}, () => store.dispatch({
 		type: "options",
 		options: { geoid: null }
@@ -14092,7 +14347,7 @@ function geoid(store, files) {
 }
 function textFile(store, files, option, title, none, accept) {
 	const part = besideField(store, option, title, { accept }, ([file]) => {
-		if (file !== void 0) files.takeText(option, file);
+		if (file !== void 0) files.beside.takeText(option, file);
 	}, () => store.dispatch({
 		type: "options",
 		options: { [option]: null }
@@ -14589,14 +14844,18 @@ var PLACED_SAMPLE = {
 	pixel_mm: .045
 };
 var PLACED_GSD_M = .5;
-async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAside, left }) {
+async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAside, left, stays }) {
 	const store = new Holder(BLOCK_INITIAL, reduceBlock);
 	const engine = new BlockEngine(store);
 	const placing = new PlacingEngine(store);
 	const onGround = new BlockPlacing(store, engine, placing);
 	const runs = new BlockRuns(store, engine, placing, onGround);
-	const kept = new KeptBlocks(store, engine, catalogue);
-	const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept), left);
+	const kept = new KeptBlocks(store, engine, catalogue, () => {
+		placing.cancel();
+		onGround.cancel();
+		engine.leave();
+	});
+	const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept), left, stays);
 	const looking = {
 		choose: (choice) => store.dispatch({
 			type: "choose",
@@ -14652,7 +14911,7 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	const pick = mountActions(actions, store, files);
 	mountExports(exports, store, engine, placing);
 	const status = mountBlockStatus(store, {
-		run: () => void files.run(),
+		run: () => void files.actions.run(),
 		why: () => {
 			showTab("tab-block-results");
 			setDrawer("details", true);
@@ -14660,8 +14919,8 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 		},
 		save: () => void saveAs(store, engine, "project", "block-next"),
 		open: pick,
-		place: () => void runs.placeImages(),
-		decide: (purpose) => void files.decide(purpose),
+		place: () => void files.actions.place(),
+		decide: (purpose) => void files.actions.decide(purpose),
 		cancel: () => {
 			placing.cancel();
 			onGround.cancel();
@@ -14683,16 +14942,16 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	await breath();
 	mountSettings(settings.panels[0], store, files, opener);
 	await breath();
-	const pickers = mountPlacingSettings(settings.panels[1], store, files, placing);
+	const pickers = mountPlacingSettings(settings.panels[1], store, files);
 	mountFlight(settings.panels[2], store, files);
 	mountProgress(results.panels[0], store);
-	mountResults(results.panels[0], store, () => void runs.takeOff());
+	mountResults(results.panels[0], store, () => void files.actions.takeOff());
 	await breath();
-	const placedSample = () => void files.sampleOnOrthophoto({
+	const placedSample = () => void files.simulated.sampleOnOrthophoto({
 		...catalogue.flight,
 		...PLACED_SAMPLE
 	}, PLACED_GSD_M);
-	const sample = () => void files.sample({
+	const sample = () => void files.simulated.sample({
 		...catalogue.flight,
 		...SAMPLE
 	});
@@ -14775,8 +15034,8 @@ function mountActions(host, store, files) {
 	const buttons = [
 		images,
 		folder,
-		button(say("simulated-block"), "block-simulate", () => void files.photograph(), say("photos-of-a-synthetic-scene")),
-		button(say("clear"), "block-clear", () => void files.clear(), say("removes-all-images-an-edited"))
+		button(say("simulated-block"), "block-simulate", () => void files.simulated.photograph(), say("photos-of-a-synthetic-scene")),
+		button(say("clear"), "block-clear", () => void files.actions.clear(), say("removes-all-images-an-edited"))
 	];
 	fill(host, ...buttons, imagesInput, folderInput);
 	store.watch([
@@ -14815,7 +15074,7 @@ function isOwn(state) {
 	const { photos, masks, truth } = state;
 	return isWorthKeeping(state) || SIDES.some((side) => masks[side] !== null || truth === null && hasData(photos[side]));
 }
-async function leave(block, state, putAside) {
+async function leave(block, state, putAside, here) {
 	block.dispatch({
 		type: "notice",
 		notice: {
@@ -14824,6 +15083,7 @@ async function leave(block, state, putAside) {
 		}
 	});
 	const stays = await putAside();
+	here();
 	block.dispatch({
 		type: "notice",
 		notice: null
@@ -14838,7 +15098,10 @@ async function leave(block, state, putAside) {
 		length: 1
 	})) ? "" : null;
 }
-async function openPair(block, modes, store, engine, putAside, [a, b]) {
+function openPair(block, modes, pair, { putAside, stays }, images) {
+	return doHere(stays, (here) => opened(block, modes, pair, putAside, images, here));
+}
+async function opened(block, modes, { store, engine }, putAside, [a, b], here) {
 	const { shown } = block.state;
 	if (shown === null) return;
 	const [left, right] = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
@@ -14854,11 +15117,13 @@ async function openPair(block, modes, store, engine, putAside, [a, b]) {
 	try {
 		camera = cameraOfImages(shown.view, a, b);
 		await Promise.all([engine.open("left", images.left), engine.open("right", images.right)]);
+		here();
 	} catch (error) {
+		here();
 		tell(block, modes, say("the-pair-cannot-be-shown", { error: messageOf(error) }));
 		return;
 	}
-	const stays = isOwn(store.state) ? await leave(block, store.state, putAside) : "";
+	const stays = isOwn(store.state) ? await leave(block, store.state, putAside, here) : "";
 	if (stays === null) return;
 	readyFor(store, block, camera);
 	store.dispatch({

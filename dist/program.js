@@ -1622,13 +1622,18 @@ function catalogueInLanguage(catalogue) {
 // www/shared/panel/mode.ts
 var MODES = [["pair", say("pair")], ["block", say("block")]];
 function modeSwitch(modes, show) {
+	const skip = document.querySelector(".skip");
+	skip?.addEventListener("click", (event) => {
+		event.preventDefault();
+		document.getElementById(skip.hash.slice(1))?.focus();
+	});
 	const buttons = MODES.map(([mode, text]) => ({
 		mode,
 		press: button(text, `mode-${mode}`, () => show(mode))
 	}));
 	modes.watch(["mode"], ([mode]) => {
 		for (const { mode: own, press } of buttons) press.setAttribute("aria-pressed", String(own === mode));
-		document.querySelector(".skip")?.setAttribute("href", mode === "pair" ? "#view" : "#block-view");
+		skip?.setAttribute("href", mode === "pair" ? "#view" : "#block-view");
 		document.body.dataset.mode = mode;
 	});
 	return h("div", {
@@ -2222,6 +2227,16 @@ function vectorChoice(testid, onChange) {
 	const factors = VECTOR_FACTORS.map((factor) => [String(factor), factor === 0 ? say("no-residuals") : `× ${String(factor)}`]);
 	return choice(say("residuals"), testid, factors, (value) => onChange(Number(value)));
 }
+// www/shared/panel/focus.ts
+function canHold(element) {
+	return element.isConnected && element.closest("[hidden], :disabled") === null;
+}
+function passFocus(held, others) {
+	if (!(held instanceof HTMLElement) || canHold(held)) return;
+	const { activeElement } = document;
+	if (activeElement !== held && activeElement !== null && activeElement !== document.body) return;
+	others.find((other) => other != null && canHold(other))?.focus({ preventScroll: true });
+}
 // www/shared/view/commands.ts
 var known = [];
 var declared = () => known;
@@ -2246,6 +2261,87 @@ var SIGNS = {
 	"-": "−"
 };
 var keyText = (key) => SIGNS[key] ?? (key.length === 1 ? key.toUpperCase() : key);
+// www/shared/panel/history.ts
+var UNDO_KEYS = ["Ctrl+Z"];
+var REDO_KEYS = ["Ctrl+Shift+Z", "Ctrl+Y"];
+function hasKeys(made, keys) {
+	made.setAttribute("aria-keyshortcuts", keys.join(" ").replaceAll("Ctrl", "Control"));
+}
+function set(made, text, disabled) {
+	if (made.textContent !== text) made.textContent = text;
+	made.disabled = disabled;
+}
+function showSteps(undo, redo, history, nameOf) {
+	const names = steps(history, nameOf);
+	for (const [made, name, keys] of [[
+		undo,
+		names.undo === null ? say("undo") : say("undo-3", { undo: names.undo }),
+		UNDO_KEYS
+	], [
+		redo,
+		names.redo === null ? say("redo") : say("redo-3", { redo: names.redo }),
+		REDO_KEYS
+	]]) {
+		made.title = `${name} (${keys[0]})`;
+		hasKeys(made, keys);
+		made.setAttribute("aria-label", name);
+		made.hidden = history.edits.length === 0;
+	}
+	undo.disabled = names.undo === null;
+	redo.disabled = names.redo === null;
+}
+var LISTED = 50;
+var reaches = new WeakMap();
+function showHistory(host, prefix, first, history, nameOf, go) {
+	const { edits, done } = history;
+	const reach = reaches.get(host) ?? LISTED;
+	const { from, to } = inSight(history, reach);
+	const focused = host.contains(document.activeElement);
+	const entry = (place, name) => {
+		const press = button(name, `${prefix}history-${String(place)}`, () => go(place));
+		press.className = "link";
+		if (place === done) press.setAttribute("aria-current", "step");
+		return h("li", { class: place > done ? "undone" : "" }, press);
+	};
+	const more = (testid, text) => {
+		const press = button(text, `${prefix}history-${testid}`, () => {
+			reaches.set(host, 4 * reach);
+			showHistory(host, prefix, first, history, nameOf, go);
+		});
+		press.className = "link";
+		return h("li", {}, press);
+	};
+	const listed = edits.slice(from, to).map((edit, i) => entry(from + i + 1, nameOf(edit)));
+	const earlier = from > 0 ? [more("earlier", say("history-earlier", { edits: from }))] : [];
+	const later = to < edits.length ? [more("later", say("history-later", { edits: edits.length - to }))] : [];
+	fill(host, entry(0, first), ...earlier, ...listed, ...later);
+	if (focused) host.querySelector("[aria-current]")?.focus({ preventScroll: true });
+}
+function undoKeys(isActive, step) {
+	const act = declare({
+		where: say("anywhere-after-edits"),
+		host: document.body,
+		list: [{
+			keys: UNDO_KEYS,
+			does: say("takes-back-the-last-edit"),
+			can: isActive,
+			run: () => step(-1)
+		}, {
+			keys: REDO_KEYS,
+			does: say("makes-the-edit-again"),
+			can: isActive,
+			run: () => step(1)
+		}]
+	});
+	document.addEventListener("keydown", (event) => {
+		const { target, key } = event;
+		if (!(event.ctrlKey || event.metaKey) || event.altKey || target instanceof Element && target.closest("input, textarea, select, dialog") !== null) return;
+		if (act(`Ctrl+${event.shiftKey ? "Shift+" : ""}${key.toUpperCase()}`, event.shiftKey)) event.preventDefault();
+	});
+}
+// www/shared/state/pane.ts
+var STEPS_OF_PX = 100;
+var roundedPx = (value) => Math.round(value * STEPS_OF_PX) / STEPS_OF_PX;
 // www/shared/view/gestures.ts
 var CLICK_SLACK = 5;
 var KEY_PAN = 60;
@@ -2405,97 +2501,6 @@ var Gestures = class {
 		return move !== void 0;
 	}
 };
-// www/shared/panel/focus.ts
-function canHold(element) {
-	return element.isConnected && element.closest("[hidden], :disabled") === null;
-}
-function passFocus(held, others) {
-	if (!(held instanceof HTMLElement) || canHold(held)) return;
-	const { activeElement } = document;
-	if (activeElement !== held && activeElement !== null && activeElement !== document.body) return;
-	others.find((other) => other != null && canHold(other))?.focus({ preventScroll: true });
-}
-// www/shared/panel/history.ts
-var UNDO_KEYS = ["Ctrl+Z"];
-var REDO_KEYS = ["Ctrl+Shift+Z", "Ctrl+Y"];
-function hasKeys(made, keys) {
-	made.setAttribute("aria-keyshortcuts", keys.join(" ").replaceAll("Ctrl", "Control"));
-}
-function set(made, text, disabled) {
-	if (made.textContent !== text) made.textContent = text;
-	made.disabled = disabled;
-}
-function showSteps(undo, redo, history, nameOf) {
-	const names = steps(history, nameOf);
-	for (const [made, name, keys] of [[
-		undo,
-		names.undo === null ? say("undo") : say("undo-3", { undo: names.undo }),
-		UNDO_KEYS
-	], [
-		redo,
-		names.redo === null ? say("redo") : say("redo-3", { redo: names.redo }),
-		REDO_KEYS
-	]]) {
-		made.title = `${name} (${keys[0]})`;
-		hasKeys(made, keys);
-		made.setAttribute("aria-label", name);
-		made.hidden = history.edits.length === 0;
-	}
-	undo.disabled = names.undo === null;
-	redo.disabled = names.redo === null;
-}
-var LISTED = 50;
-var reaches = new WeakMap();
-function showHistory(host, prefix, first, history, nameOf, go) {
-	const { edits, done } = history;
-	const reach = reaches.get(host) ?? LISTED;
-	const { from, to } = inSight(history, reach);
-	const focused = host.contains(document.activeElement);
-	const entry = (place, name) => {
-		const press = button(name, `${prefix}history-${String(place)}`, () => go(place));
-		press.className = "link";
-		if (place === done) press.setAttribute("aria-current", "step");
-		return h("li", { class: place > done ? "undone" : "" }, press);
-	};
-	const more = (testid, text) => {
-		const press = button(text, `${prefix}history-${testid}`, () => {
-			reaches.set(host, 4 * reach);
-			showHistory(host, prefix, first, history, nameOf, go);
-		});
-		press.className = "link";
-		return h("li", {}, press);
-	};
-	const listed = edits.slice(from, to).map((edit, i) => entry(from + i + 1, nameOf(edit)));
-	const earlier = from > 0 ? [more("earlier", say("history-earlier", { edits: from }))] : [];
-	const later = to < edits.length ? [more("later", say("history-later", { edits: edits.length - to }))] : [];
-	fill(host, entry(0, first), ...earlier, ...listed, ...later);
-	if (focused) host.querySelector("[aria-current]")?.focus({ preventScroll: true });
-}
-function undoKeys(isActive, step) {
-	const act = declare({
-		where: say("anywhere-after-edits"),
-		host: document.body,
-		list: [{
-			keys: UNDO_KEYS,
-			does: say("takes-back-the-last-edit"),
-			can: isActive,
-			run: () => step(-1)
-		}, {
-			keys: REDO_KEYS,
-			does: say("makes-the-edit-again"),
-			can: isActive,
-			run: () => step(1)
-		}]
-	});
-	document.addEventListener("keydown", (event) => {
-		const { target, key } = event;
-		if (!(event.ctrlKey || event.metaKey) || event.altKey || target instanceof Element && target.closest("input, textarea, select, dialog") !== null) return;
-		if (act(`Ctrl+${event.shiftKey ? "Shift+" : ""}${key.toUpperCase()}`, event.shiftKey)) event.preventDefault();
-	});
-}
-// www/shared/state/pane.ts
-var STEPS_OF_PX = 100;
-var roundedPx = (value) => Math.round(value * STEPS_OF_PX) / STEPS_OF_PX;
 // www/shared/panel/numberfield.ts
 var STAYS = say("the-last-valid-value-stays");
 function numberInput(testid, problem, change) {
@@ -2589,6 +2594,8 @@ function save(blob, name) {
 	link.click();
 	window.setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
 }
+// pkg/block/image-files.js
+var IMAGE_FILE = /\.(?:jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/iu;
 // www/shared/files/leaving.ts
 var ProjectLeft = class extends Error {
 	name = "ProjectLeft";
@@ -2598,7 +2605,7 @@ var Leaving = class {
 	count = 0;
 	inTurn(way) {
 		const turn = this.turns.then(way);
-		this.turns = turn.catch(() => void 0);
+		this.turns = turn.catch(() => void 0).then(breath);
 		return turn;
 	}
 	leave() {
@@ -2609,6 +2616,15 @@ var Leaving = class {
 			turns = this.turns;
 			await turns;
 		}
+		return this.here();
+	}
+	async stays() {
+		const here = this.here();
+		await this.left();
+		here();
+		return here;
+	}
+	here() {
 		const { count } = this;
 		return () => {
 			if (this.count !== count) throw new ProjectLeft();
@@ -2625,8 +2641,16 @@ async function takeHere(left, take, tell) {
 		tell();
 	}
 }
-// pkg/block/image-files.js
-var IMAGE_FILE = /\.(?:jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/iu;
+function doHere(stays, act) {
+	return unlessLeft(stays().then(act));
+}
+async function unlessLeft(action) {
+	try {
+		await action;
+	} catch (error) {
+		if (!(error instanceof ProjectLeft)) throw error;
+	}
+}
 var DIRECTORY_BYTES = 65536;
 function bytesOfKind([a, b, c, d]) {
 	return a === 73 && b === 73 && c === 42 && d === 0 || a === 77 && b === 77 && c === 0 && d === 42 ? DIRECTORY_BYTES : 64;
@@ -2692,6 +2716,30 @@ function fieldsOf(text) {
 		read = null;
 	}
 	return typeof read === "object" && read !== null ? read : {};
+}
+// pkg/block/text-of.js
+var UTF_16 = [[
+	"utf-16le",
+	255,
+	254
+], [
+	"utf-16be",
+	254,
+	255
+]];
+var OTHERWISE = "windows-1252";
+function textOf$3(bytes) {
+	const marked = UTF_16.find(([, first, second]) => bytes[0] === first && bytes[1] === second);
+	if (marked !== void 0) return new TextDecoder(marked[0]).decode(bytes);
+	try {
+		return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+	} catch {
+		return new TextDecoder(OTHERWISE).decode(bytes);
+	}
+}
+// www/shared/files/text.ts
+async function textIn(file) {
+	return textOf$3(new Uint8Array(await file.arrayBuffer()));
 }
 // www/block/files/rasters.ts
 var WORLD = /\.(?:tfw|jgw|pgw|bpw|gfw|tifw|tiffw|jpgw|jpegw|pngw|wld)$/iu;
@@ -2931,6 +2979,22 @@ function sizeText(bytes) {
 	if (bytes < 1e6) return say("kb", { bytes: Math.ceil(bytes / 1e3) });
 	if (bytes < 1e9) return `${(bytes / 1e6).toFixed(1)} MB`;
 	return `${(bytes / 1e9).toFixed(1)} GB`;
+}
+// www/shared/state/mode.ts
+function isMode(text) {
+	return text === "pair" || text === "block";
+}
+function makeModes() {
+	return new Holder({
+		mode: "pair",
+		isKept: true
+	}, (_, to) => typeof to === "string" ? {
+		mode: to,
+		isKept: false
+	} : {
+		mode: to.kept,
+		isKept: true
+	});
 }
 // www/shared/panel/sight.ts
 var HIDING = "[hidden], .is-closed";
@@ -3214,6 +3278,101 @@ function filler(rows) {
 		aria: { hidden: "true" }
 	}, cell);
 }
+// www/shared/panel/table-bar.ts
+var TableBar = class {
+	words;
+	doing;
+	element;
+	caption = h("span", {
+		class: "note",
+		role: "status",
+		aria: { live: "polite" }
+	});
+	list = h("div", { class: "menu" });
+	clear;
+	hidden;
+	name;
+	constructor(testid, words, doing, tools) {
+		this.words = words;
+		this.doing = doing;
+		this.name = `tiepoint-hidden-${testid}`;
+		this.hidden = new Set((keptChoice(this.name) ?? "").split(" ").filter((key) => key !== ""));
+		this.caption.dataset.testid = `${testid}-caption`;
+		this.clear = button(say("show-all"), `${testid}-clear`, doing.clear, say("takes-away-what-is-typed"));
+		const csv = button("CSV", `${testid}-csv`, () => void this.save(csv), say("saves-the-rows-and-columns"));
+		const copy = button(say("copy-2"), `${testid}-copy`, () => void this.copy(copy), say("copies-the-rows-and-columns"));
+		const columns = button(say("columns"), `${testid}-columns`, () => this.unfold(columns, this.list.classList.toggle("is-open")));
+		columns.setAttribute("aria-expanded", "false");
+		const menu = h("div", { class: "exports" }, columns, this.list);
+		menu.addEventListener("keydown", (event) => {
+			if (event.key !== "Escape") return;
+			this.unfold(columns, false);
+			columns.focus();
+		});
+		menu.addEventListener("focusout", (event) => {
+			if (!menu.contains(event.relatedTarget)) this.unfold(columns, false);
+		});
+		this.element = h("div", { class: "table-bar" }, this.caption, ...tools, this.clear, menu, copy, csv);
+	}
+	say(shown, all, filtered, clears) {
+		const text = `${this.words}: ${filtered ? say("of-8", { shown: count(shown) }) : ""}${count(all)}`;
+		if (this.caption.textContent !== text) this.caption.textContent = text;
+		this.clear.hidden = !clears;
+	}
+	get left() {
+		return this.hidden;
+	}
+	offer(columns) {
+		fill(this.list, ...columns.map(({ key, label, unit }) => {
+			const box = h("input", {
+				type: "checkbox",
+				key
+			});
+			box.checked = !this.hidden.has(key);
+			box.addEventListener("change", () => {
+				if (box.checked) this.hidden.delete(key);
+				else this.hidden.add(key);
+				keepChoice(this.name, [...this.hidden].join(" "));
+				this.doing.hide(this.hidden);
+			});
+			return h("label", { class: "choice" }, box, unit === "" ? label : `${label} ${unitText(unit)}`);
+		}));
+		return this.hidden;
+	}
+	unfold(columns, open) {
+		this.list.classList.toggle("is-open", open);
+		columns.setAttribute("aria-expanded", String(open));
+	}
+	async copy(press) {
+		tellOn(press, await this.doing.copied().then(toClipboard, () => false) ? say("copied") : say("not-copied"));
+	}
+	async save(press) {
+		await this.doing.csv().catch(() => tellOn(press, say("not-saved")));
+	}
+};
+function tellOn(press, text) {
+	const own = press.dataset.own ?? press.textContent;
+	press.dataset.own = own;
+	press.textContent = text;
+	window.setTimeout(() => fill(press, own), 2e3);
+}
+async function toClipboard(text) {
+	try {
+		await navigator.clipboard.writeText(text);
+		return true;
+	} catch {
+		const field = h("textarea", {
+			class: "visually-hidden",
+			aria: { hidden: "true" }
+		});
+		field.value = text;
+		document.body.append(field);
+		field.select();
+		const done = document.execCommand("copy");
+		field.remove();
+		return done;
+	}
+}
 // www/shared/panel/table.ts
 var ALL$1 = () => true;
 var NONE$2 = new Set();
@@ -3471,100 +3630,6 @@ var Table = class {
 };
 function decimals(text) {
 	return text.split(".")[1]?.length ?? 0;
-}
-var TableBar = class {
-	words;
-	doing;
-	element;
-	caption = h("span", {
-		class: "note",
-		role: "status",
-		aria: { live: "polite" }
-	});
-	list = h("div", { class: "menu" });
-	clear;
-	hidden;
-	name;
-	constructor(testid, words, doing, tools) {
-		this.words = words;
-		this.doing = doing;
-		this.name = `tiepoint-hidden-${testid}`;
-		this.hidden = new Set((keptChoice(this.name) ?? "").split(" ").filter((key) => key !== ""));
-		this.caption.dataset.testid = `${testid}-caption`;
-		this.clear = button(say("show-all"), `${testid}-clear`, doing.clear, say("takes-away-what-is-typed"));
-		const csv = button("CSV", `${testid}-csv`, () => void this.save(csv), say("saves-the-rows-and-columns"));
-		const copy = button(say("copy-2"), `${testid}-copy`, () => void this.copy(copy), say("copies-the-rows-and-columns"));
-		const columns = button(say("columns"), `${testid}-columns`, () => this.unfold(columns, this.list.classList.toggle("is-open")));
-		columns.setAttribute("aria-expanded", "false");
-		const menu = h("div", { class: "exports" }, columns, this.list);
-		menu.addEventListener("keydown", (event) => {
-			if (event.key !== "Escape") return;
-			this.unfold(columns, false);
-			columns.focus();
-		});
-		menu.addEventListener("focusout", (event) => {
-			if (!menu.contains(event.relatedTarget)) this.unfold(columns, false);
-		});
-		this.element = h("div", { class: "table-bar" }, this.caption, ...tools, this.clear, menu, copy, csv);
-	}
-	say(shown, all, filtered, clears) {
-		const text = `${this.words}: ${filtered ? say("of-8", { shown: count(shown) }) : ""}${count(all)}`;
-		if (this.caption.textContent !== text) this.caption.textContent = text;
-		this.clear.hidden = !clears;
-	}
-	get left() {
-		return this.hidden;
-	}
-	offer(columns) {
-		fill(this.list, ...columns.map(({ key, label, unit }) => {
-			const box = h("input", {
-				type: "checkbox",
-				key
-			});
-			box.checked = !this.hidden.has(key);
-			box.addEventListener("change", () => {
-				if (box.checked) this.hidden.delete(key);
-				else this.hidden.add(key);
-				keepChoice(this.name, [...this.hidden].join(" "));
-				this.doing.hide(this.hidden);
-			});
-			return h("label", { class: "choice" }, box, unit === "" ? label : `${label} ${unitText(unit)}`);
-		}));
-		return this.hidden;
-	}
-	unfold(columns, open) {
-		this.list.classList.toggle("is-open", open);
-		columns.setAttribute("aria-expanded", String(open));
-	}
-	async copy(press) {
-		tellOn(press, await this.doing.copied().then(toClipboard, () => false) ? say("copied") : say("not-copied"));
-	}
-	async save(press) {
-		await this.doing.csv().catch(() => tellOn(press, say("not-saved")));
-	}
-};
-function tellOn(press, text) {
-	const own = press.dataset.own ?? press.textContent;
-	press.dataset.own = own;
-	press.textContent = text;
-	window.setTimeout(() => fill(press, own), 2e3);
-}
-async function toClipboard(text) {
-	try {
-		await navigator.clipboard.writeText(text);
-		return true;
-	} catch {
-		const field = h("textarea", {
-			class: "visually-hidden",
-			aria: { hidden: "true" }
-		});
-		field.value = text;
-		document.body.append(field);
-		field.select();
-		const done = document.execCommand("copy");
-		field.remove();
-		return done;
-	}
 }
 // www/shared/state/columns.ts
 function numbers$2(key, label, unit, digits, value, help, told = {}) {
@@ -7246,6 +7311,23 @@ async function candidatesOf(workers, state, left) {
 		most: MOST_CANDIDATES
 	});
 }
+async function parallaxOf(workers, state, left) {
+	const { matching } = settingsOf(state);
+	const { points } = pointsOf(state, "left");
+	const offset = comparesGradients(settingsOf(state)) ? null : state.results.offset?.value ?? null;
+	if (left < 0 || 3 * left >= points.length || offset === null) return null;
+	const { rules, places } = needed(state, "match");
+	return await workers.client("pair").call("parallaxDeviation", {
+		index: left,
+		points,
+		match: {
+			rules,
+			places
+		},
+		offset,
+		options: matching
+	}) ?? null;
+}
 async function comparedOf(workers, state, left) {
 	const { best, places } = matchOf$1(state);
 	const { selection } = state;
@@ -7274,14 +7356,16 @@ async function comparedOf(workers, state, left) {
 var inspection = async (state, workers) => {
 	const { best, rules } = matchOf$1(state);
 	const left = leftIndexOf(state, best, rules);
-	const [compared, candidates, line] = await Promise.all([
+	const [compared, candidates, parallax, line] = await Promise.all([
 		comparedOf(workers, state, left),
 		candidatesOf(workers, state, left),
+		parallaxOf(workers, state, left),
 		lineOf(workers, state)
 	]);
 	return {
 		...compared,
 		candidates,
+		parallax,
 		line
 	};
 };
@@ -7739,51 +7823,152 @@ function placeFrom(value, name) {
 		yr
 	];
 }
-// www/pair/view/geometry.ts
-var GAP = 10;
-var CLEARLY = 1.2;
-function ratioOf({ openLeft, openRight }) {
-	const ratios = [openLeft, openRight].flatMap((opened) => opened === void 0 ? [] : [opened.value.info.width / opened.value.info.height]);
-	return ratios.length === 0 ? null : ratios.reduce((sum, ratio) => sum + ratio, 0) / ratios.length;
-}
-function isBeside(width, height, ratio) {
-	if (ratio === null) return width >= .85 * height;
-	return Math.min(height / 2, width / ratio) <= CLEARLY * Math.min(height, width / 2 / ratio);
-}
-function panesOf({ results }, width, height) {
-	if (isBeside(width, height, ratioOf(results))) {
-		const pane = Math.max(1, Math.floor((width - GAP) / 2));
-		return {
-			left: {
-				left: 0,
-				top: 0,
-				width: pane,
-				height
-			},
-			right: {
-				left: width - pane,
-				top: 0,
-				width: pane,
-				height
-			}
-		};
+// www/pair/files/ids.ts
+var nextId = 1;
+var freshId = () => nextId++;
+// www/pair/files/told.ts
+var problem = (text) => ({
+	kind: "problem",
+	text
+});
+var info = (text) => ({
+	kind: "info",
+	text
+});
+var unchanged = () => info(say("cancelled-nothing-was-changed"));
+var Telling = class {
+	store;
+	constructor(store) {
+		this.store = store;
 	}
-	const pane = Math.max(1, Math.floor((height - GAP) / 2));
-	return {
-		left: {
-			left: 0,
-			top: 0,
-			width,
-			height: pane
-		},
-		right: {
-			left: 0,
-			top: height - pane,
-			width,
-			height: pane
-		}
-	};
+	tell(told, before = this.store.state.images) {
+		const said = [...this.saidMeanwhile(), ...told.filter((one) => one !== null)];
+		const bad = said.some(({ kind }) => kind === "problem");
+		const { images } = this.store.state;
+		const areKept = SIDES.every((side) => images[side] === before[side]) && SIDES.some((side) => before[side] !== null);
+		const kept = bad && areKept ? say("the-open-images-are-kept") : "";
+		const text = `${said.map((one) => one.text).join(" ")}${kept}`;
+		const choices = said.flatMap((one) => one.choices ?? []);
+		const notice = {
+			kind: bad ? "problem" : "info",
+			text,
+			...choices.length > 0 && { choices }
+		};
+		this.store.dispatch({
+			type: "notice",
+			notice: said.length === 0 ? null : notice
+		});
+	}
+	saidMeanwhile() {
+		const { notice } = this.store.state;
+		return notice?.kind !== "info" || notice.choices !== void 0 ? [] : [{
+			kind: "info",
+			text: notice.text
+		}];
+	}
+	failed(what, error, here) {
+		here();
+		if (error instanceof Cancelled) return unchanged();
+		return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
+	}
+};
+// www/pair/files/beside.ts
+var MASK_SIDE = 1024;
+function sideOfMask(mask, index) {
+	const [, painted] = /-mask-(left|right)\./u.exec(mask.name) ?? [];
+	if (painted !== void 0) return painted;
+	if (/right/iu.test(mask.name)) return "right";
+	return /left/iu.test(mask.name) || index === 0 ? "left" : "right";
 }
+var BesideFiles = class {
+	store;
+	engine;
+	telling;
+	constructor(store, engine, telling) {
+		this.store = store;
+		this.engine = engine;
+		this.telling = telling;
+	}
+	async mask(file, side, here) {
+		const opened = this.store.state.images[side];
+		if (opened === null) return problem(say("is-a-mask-of-the", {
+			name: file.name,
+			side
+		}));
+		try {
+			const { info: photo } = await this.engine.open(side, opened);
+			const mask = await this.engine.client("pair").call("mask", {
+				file,
+				overlaySide: MASK_SIDE
+			});
+			here();
+			if (mask.width !== photo.width || mask.height !== photo.height) return problem(say("has-px-the-image-px", {
+				name: file.name,
+				width: mask.width,
+				height: mask.height,
+				side,
+				width_2: photo.width,
+				height_2: photo.height
+			}));
+			this.store.dispatch({
+				type: "mask",
+				side,
+				mask: {
+					...mask,
+					id: freshId(),
+					name: file.name,
+					source: {
+						kind: "file",
+						file
+					}
+				}
+			});
+			return info(say("masks-of-the-image", {
+				name: file.name,
+				left_out: 100 * mask.leftOut,
+				side
+			}));
+		} catch (error) {
+			return this.telling.failed(say("cannot-be-used-as-a", { name: file.name }), error, here);
+		}
+	}
+	sideOfTable(table, index) {
+		if (/right/iu.test(table.name)) return "right";
+		if (/left/iu.test(table.name)) return "left";
+		return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? "right" : "left";
+	}
+	async fiducials(file, side, here) {
+		try {
+			const fiducials = await this.engine.client("pair").call("parseFiducials", { text: await textIn(file) });
+			here();
+			this.store.dispatch({
+				type: "photo",
+				side,
+				photo: { fiducials }
+			});
+			return info(say("fiducial-of-the-image-from", {
+				fiducials: fiducials.length,
+				side,
+				name: file.name
+			}));
+		} catch (error) {
+			return this.telling.failed(say("holds-no-fiducial-marks", { name: file.name }), error, here);
+		}
+	}
+	async camera(file, here) {
+		try {
+			const camera = await this.engine.client("pair").call("parseCamera", { text: await textIn(file) });
+			here();
+			this.store.dispatch({
+				type: "camera",
+				camera
+			});
+			return info(say("camera-data-from", { name: file.name }));
+		} catch (error) {
+			return this.telling.failed(say("holds-no-camera-data", { name: file.name }), error, here);
+		}
+	}
+};
 // www/pair/files/export.ts
 function rows(values, stride) {
 	return Array.from({ length: values.length / stride }, (_, i) => Array.from({ length: stride }, (_, k) => values[i * stride + k] ?? NaN));
@@ -8057,555 +8242,6 @@ async function sideOfFile({ images }, engine, file) {
 		if (await engine.client("pair").call("digest", { file }) === image.source.content) return side;
 	}
 	return null;
-}
-// www/pair/files/sort.ts
-function sortFiles(files) {
-	const isTable = (file) => /\.(csv|txt)$/iu.test(file.name) || file.type === "text/csv";
-	const isCamera = (file) => /\.json$/iu.test(file.name) || file.type === "application/json";
-	const isProject = (file) => /\.tiepoint$/iu.test(file.name);
-	const isMask = (file) => !isTable(file) && !isCamera(file) && !isProject(file) && /(^|[^a-z])masks?([^a-z]|$)/iu.test(file.name);
-	return {
-		masks: files.filter(isMask),
-		tables: files.filter(isTable),
-		cameras: files.filter(isCamera),
-		projects: files.filter(isProject),
-		images: files.filter((file) => !isTable(file) && !isCamera(file) && !isMask(file) && !isProject(file)).sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }))
-	};
-}
-// www/pair/files/open.ts
-var MASK_SIDE = 1024;
-var MOST_BYTES = 2 ** 30;
-var nextId = 1;
-var freshId = () => nextId++;
-function sideOfMask(mask, index) {
-	const [, painted] = /-mask-(left|right)\./u.exec(mask.name) ?? [];
-	if (painted !== void 0) return painted;
-	if (/right/iu.test(mask.name)) return "right";
-	return /left/iu.test(mask.name) || index === 0 ? "left" : "right";
-}
-var problem = (text) => ({
-	kind: "problem",
-	text
-});
-var info = (text) => ({
-	kind: "info",
-	text
-});
-var unchanged = () => info(say("cancelled-nothing-was-changed"));
-var done = (told) => ({
-	told,
-	isCancelled: false
-});
-function editsToldOf({ project }) {
-	const { rejected, manual } = editsOfFile(project);
-	const of = (number, what) => number === 0 ? [] : [say("matches-by-hand", {
-		number,
-		what
-	})];
-	const said = [...of(rejected, "rejected"), ...of(manual, "measured")];
-	return said.length === 0 ? null : info(say("it-holds-the-history-of", { join: said.join(say("and-between")) }));
-}
-var Files = class {
-	store;
-	engine;
-	openProject;
-	elsewhere;
-	putAside;
-	isReady = false;
-	started = () => void 0;
-	ready = new Promise((resolve) => {
-		this.started = resolve;
-	});
-	constructor(store, engine, openProject, elsewhere, putAside) {
-		this.store = store;
-		this.engine = engine;
-		this.openProject = openProject;
-		this.elsewhere = elsewhere;
-		this.putAside = putAside;
-	}
-	begin() {
-		this.isReady = true;
-		this.started();
-	}
-	async give(found, side, asks = side === null) {
-		if (await this.elsewhere.toGround(found)) return;
-		await this.take(found.map(({ file }) => file), side, asks);
-	}
-	async take(files, side, asks = side === null) {
-		if (files.length === 0) return;
-		await this.takeHere(files.map(({ name }) => name), (here) => this.takeKinds(files, side, asks, here));
-	}
-	takeHere(names, take) {
-		const tell = () => this.tell([info(say("were-not-taken-the-project", {
-			files: names.length,
-			names: namesText(names)
-		}))]);
-		return takeHere(this.elsewhere.left, take, tell);
-	}
-	async takeKinds(files, side, asks, here) {
-		this.store.dispatch({
-			type: "notice",
-			notice: null
-		});
-		const refused = await refusedKinds(files);
-		here();
-		const { images, masks, tables, cameras, projects } = sortFiles(files.filter((file) => !refused.has(file)));
-		const [project] = projects;
-		if (project !== void 0) {
-			await this.openProject(project);
-			here();
-			const others = files.filter((file) => !projects.includes(file));
-			if (others.length > 0) await this.take(others, side, asks);
-			return;
-		}
-		if (images.length > 2) {
-			this.elsewhere.toBlock(files.filter((file) => !masks.includes(file)), masks);
-			return;
-		}
-		const before = this.store.state.images;
-		const told = refused.size === 0 ? [] : [problem(kindsText(refused))];
-		const camera = cameras[0];
-		if (camera !== void 0) told.push(await this.takeCamera(camera, here));
-		const { told: ofImages, isCancelled } = images.length > 0 ? await this.takeImages(images, side, asks, here) : {
-			told: [],
-			isCancelled: false
-		};
-		if (isCancelled) {
-			const names = [...tables, ...masks].map(({ name }) => name);
-			this.tell([
-				...told,
-				...ofImages,
-				names.length === 0 ? null : info(say("cancelled-before-they-were-read", {
-					files: names.length,
-					names: namesText(names)
-				}))
-			], before);
-			return;
-		}
-		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i), here));
-		told.push(...ofImages);
-		if (camera === void 0) told.push(this.cameraStays(before));
-		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i), here));
-		this.tell(told, before);
-	}
-	takeProject(file) {
-		return this.takeHere([file.name], async (here) => {
-			this.store.dispatch({
-				type: "notice",
-				notice: {
-					kind: "busy",
-					text: say("reading", { name: file.name })
-				}
-			});
-			try {
-				const opened = await readProject(this.engine, file, freshId);
-				const aside = await this.leave(hasMarks(this.store.state), here);
-				if (aside === null) return this.tell([unchanged()]);
-				this.store.dispatch({
-					type: "opened",
-					opened
-				});
-				this.tell([
-					info(say("was-opened-the-file-does-not", { name: file.name })),
-					editsToldOf(opened),
-					...aside
-				]);
-			} catch (error) {
-				this.tell([this.failed(say("cannot-be-opened", { name: file.name }), error, here)]);
-			}
-		});
-	}
-	takeMask(file, side) {
-		return this.takeHere([file.name], async (here) => {
-			this.store.dispatch({
-				type: "notice",
-				notice: null
-			});
-			this.tell([await this.readMask(file, side, here)]);
-		});
-	}
-	async readMask(file, side, here) {
-		const opened = this.store.state.images[side];
-		if (opened === null) return problem(say("is-a-mask-of-the", {
-			name: file.name,
-			side
-		}));
-		try {
-			const { info: photo } = await this.engine.open(side, opened);
-			const mask = await this.engine.client("pair").call("mask", {
-				file,
-				overlaySide: MASK_SIDE
-			});
-			here();
-			if (mask.width !== photo.width || mask.height !== photo.height) return problem(say("has-px-the-image-px", {
-				name: file.name,
-				width: mask.width,
-				height: mask.height,
-				side,
-				width_2: photo.width,
-				height_2: photo.height
-			}));
-			this.store.dispatch({
-				type: "mask",
-				side,
-				mask: {
-					...mask,
-					id: freshId(),
-					name: file.name,
-					source: {
-						kind: "file",
-						file
-					}
-				}
-			});
-			return info(say("masks-of-the-image", {
-				name: file.name,
-				left_out: 100 * mask.leftOut,
-				side
-			}));
-		} catch (error) {
-			return this.failed(say("cannot-be-used-as-a", { name: file.name }), error, here);
-		}
-	}
-	takeFlight(name, flight) {
-		const names = bothSides((side) => `${name} ${side}`);
-		return this.takeHere(Object.values(names), async (here) => {
-			this.store.dispatch({
-				type: "notice",
-				notice: {
-					kind: "busy",
-					text: say("rendering-the-pair-a-simulated")
-				}
-			});
-			try {
-				const pair = await this.engine.client("pair").call("simulate", flight);
-				const given = (side) => ({
-					id: freshId(),
-					name: names[side],
-					source: {
-						kind: "grey",
-						...pair[side]
-					}
-				});
-				const aside = await this.leave(hasMarks(this.store.state), here);
-				if (aside === null) return this.tell([unchanged()]);
-				this.store.dispatch({
-					type: "simulated",
-					left: given("left"),
-					right: given("right"),
-					pair
-				});
-				this.tell(aside);
-			} catch (error) {
-				this.tell([this.failed(say("the-pair-could-not-be"), error, here)]);
-			}
-		});
-	}
-	async takeSample() {
-		const sample = this.store.state.catalogue?.flights.find(({ name }) => name === "sample");
-		if (sample !== void 0) await this.takeFlight(sample.name, sample.flight);
-	}
-	tell(told, before = this.store.state.images) {
-		const said = [...this.saidMeanwhile(), ...told.filter((one) => one !== null)];
-		const bad = said.some(({ kind }) => kind === "problem");
-		const { images } = this.store.state;
-		const areKept = SIDES.every((side) => images[side] === before[side]) && SIDES.some((side) => before[side] !== null);
-		const kept = bad && areKept ? say("the-open-images-are-kept") : "";
-		const text = `${said.map((one) => one.text).join(" ")}${kept}`;
-		const choices = said.flatMap((one) => one.choices ?? []);
-		const notice = {
-			kind: bad ? "problem" : "info",
-			text,
-			...choices.length > 0 && { choices }
-		};
-		this.store.dispatch({
-			type: "notice",
-			notice: said.length === 0 ? null : notice
-		});
-	}
-	saidMeanwhile() {
-		const { notice } = this.store.state;
-		return notice?.kind !== "info" || notice.choices !== void 0 ? [] : [{
-			kind: "info",
-			text: notice.text
-		}];
-	}
-	failed(what, error, here) {
-		here();
-		if (error instanceof Cancelled) return unchanged();
-		return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
-	}
-	sideOfTable(table, index) {
-		if (/right/iu.test(table.name)) return "right";
-		if (/left/iu.test(table.name)) return "left";
-		return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? "right" : "left";
-	}
-	async takeFiducials(file, side, here) {
-		try {
-			const fiducials = await this.engine.client("pair").call("parseFiducials", { text: await file.text() });
-			here();
-			this.store.dispatch({
-				type: "photo",
-				side,
-				photo: { fiducials }
-			});
-			return info(say("fiducial-of-the-image-from", {
-				fiducials: fiducials.length,
-				side,
-				name: file.name
-			}));
-		} catch (error) {
-			return this.failed(say("holds-no-fiducial-marks", { name: file.name }), error, here);
-		}
-	}
-	async takeCamera(file, here) {
-		try {
-			const camera = await this.engine.client("pair").call("parseCamera", { text: await file.text() });
-			here();
-			this.store.dispatch({
-				type: "camera",
-				camera
-			});
-			return info(say("camera-data-from", { name: file.name }));
-		} catch (error) {
-			return this.failed(say("holds-no-camera-data", { name: file.name }), error, here);
-		}
-	}
-	async takeImages(files, side, asks, here) {
-		const tooLarge = files.find((file) => file.size > MOST_BYTES);
-		if (tooLarge !== void 0) return done([problem(say("has-mb-up-to-1", {
-			name: tooLarge.name,
-			size: Math.round(tooLarge.size / 2 ** 20)
-		}))]);
-		const known = await Promise.all(files.map((file) => sideOfFile(this.store.state, this.engine, file)));
-		here();
-		if (known.every((place) => place !== null)) return this.takeFound(files, known, here);
-		const sides = files.length === 2 ? ["left", "right"] : [side ?? this.freeSide()];
-		const images = {};
-		for (const [i, file] of files.entries()) {
-			const target = sides[i];
-			if (target !== void 0) images[target] = {
-				id: freshId(),
-				name: file.name,
-				source: {
-					kind: "file",
-					file
-				}
-			};
-		}
-		this.store.dispatch({
-			type: "notice",
-			notice: {
-				kind: "busy",
-				text: say("reading-2", { join: files.map((file) => file.name).join(say("and-between")) })
-			}
-		});
-		return this.check(images, "images", here, asks);
-	}
-	async takeFound(files, sides, here) {
-		const images = {};
-		for (const [i, side] of sides.entries()) {
-			const [image, file] = [this.store.state.images[side], files[i]];
-			if (image !== null && file !== void 0) images[side] = {
-				...image,
-				source: {
-					kind: "file",
-					file
-				}
-			};
-		}
-		return this.check(images, "found", here);
-	}
-	async check(images, type, here, asks = false) {
-		const entries = Object.entries(images);
-		const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
-		here();
-		const isCancelled = outcomes.some((outcome) => outcome.status === "rejected" && outcome.reason instanceof Cancelled);
-		if (type === "images" && isCancelled && entries.every(([side]) => this.store.state.images[side] === null)) return {
-			told: this.leaveToRun(entries, outcomes),
-			isCancelled
-		};
-		const told = this.failedImages(outcomes.flatMap((outcome, i) => outcome.status === "rejected" ? [{
-			name: entries[i]?.[1].name ?? say("the-file"),
-			error: outcome.reason
-		}] : []));
-		if (told.length > 0) {
-			const { left, right } = this.store.state.images;
-			const opened = entries.filter((_, i) => outcomes[i]?.status === "fulfilled");
-			if (left === null && right === null && opened.length > 0) this.store.dispatch({
-				type,
-				images: Object.fromEntries(opened)
-			});
-			return {
-				told,
-				isCancelled
-			};
-		}
-		if (type === "found") {
-			this.store.dispatch({
-				type,
-				images
-			});
-			return done([]);
-		}
-		const question = asks ? await this.askOfThird(images) : null;
-		here();
-		return question === null ? this.show(images, here) : done([question]);
-	}
-	leaveToRun(entries, outcomes) {
-		const refused = (i) => {
-			const outcome = outcomes[i];
-			return outcome?.status === "rejected" && !(outcome.reason instanceof Cancelled) ? [{
-				name: entries[i]?.[1].name ?? "",
-				error: outcome.reason
-			}] : [];
-		};
-		const images = Object.fromEntries(entries.filter((_, i) => refused(i).length === 0));
-		this.store.dispatch({
-			type: "images",
-			images,
-			waits: true
-		});
-		return this.failedImages(entries.flatMap((_, i) => refused(i)));
-	}
-	async askOfThird(images) {
-		const { left, right } = this.store.state.images;
-		const [[side, third], another] = Object.entries(images);
-		const files = [
-			left,
-			right,
-			third
-		].flatMap((image) => image === null ? [] : fileOf$1(image));
-		if (another !== void 0 || files.length < 3 || await this.isSame(this.store.state.images[side], third)) return null;
-		const dismiss = () => this.store.dispatch({
-			type: "notice",
-			notice: null
-		});
-		const choices = [
-			{
-				text: say("open-three-as-a-block"),
-				act: () => {
-					dismiss();
-					this.elsewhere.toBlock(files, []);
-				}
-			},
-			{
-				text: say("replace-the-image", { side }),
-				act: () => void this.replace(images)
-			},
-			{
-				text: say("keep-the-pair"),
-				act: dismiss
-			}
-		];
-		return {
-			kind: "info",
-			text: say("is-a-third-image", {
-				name: third.name,
-				side
-			}),
-			choices
-		};
-	}
-	replace(images) {
-		const names = Object.values(images).map(({ name }) => name);
-		return this.takeHere(names, async (here) => {
-			const before = this.store.state.images;
-			const { told } = await this.show(images, here);
-			this.tell([...told, this.cameraStays(before)]);
-		});
-	}
-	cameraStays(before) {
-		const { images, camera } = this.store.state;
-		return SIDES.some((side) => before[side] !== null && images[side]?.id !== before[side].id) && camera !== null && calibrationBehind(camera) === null ? info(say("the-camera-that-was-given-stays")) : null;
-	}
-	async show(images, here) {
-		const { photos, images: former } = this.store.state;
-		const marked = await this.marked(images);
-		const replaces = SIDES.some((side) => images[side] !== void 0 && former[side] !== null);
-		here();
-		const aside = replaces ? await this.leave(marked.gone.length > 0, here) : [];
-		if (aside === null) return {
-			told: [unchanged()],
-			isCancelled: true
-		};
-		this.store.dispatch({
-			type: "images",
-			images,
-			same: marked.same
-		});
-		return done([...aside, ...marked.gone.map((side) => info(say("marks-went-with-the-image", {
-			side,
-			marks: photos[side].fiducials.length
-		})))]);
-	}
-	async marked(images) {
-		const { images: former, photos, truth } = this.store.state;
-		const sides = SIDES.filter((side) => truth === null && images[side] !== void 0 && former[side] !== null && hasData(photos[side]));
-		const areSame = await Promise.all(sides.map((side) => this.isSame(former[side], images[side])));
-		return {
-			same: sides.filter((_, i) => areSame[i]),
-			gone: sides.filter((_, i) => !areSame[i])
-		};
-	}
-	isSame(a, b) {
-		return a === null || b === void 0 ? Promise.resolve(false) : haveSameContent(a.source, b.source, this.engine);
-	}
-	async leave(marksGo, here) {
-		here();
-		if (!marksGo && !isWorthKeeping(this.store.state)) return [];
-		const names = SIDES.flatMap((side) => this.store.state.images[side]?.name ?? []);
-		const stays = await this.putAside();
-		here();
-		if (stays) return [info(say("stay-under-projects", { title_of: titleOf({
-			name: null,
-			images: names
-		}) }))];
-		const question = say("cannot-be-kept-in-this", {
-			edits: say("the-pair-with-its-marks"),
-			step: say("open-the-other-pair"),
-			length: 1
-		});
-		return window.confirm(question) ? [] : null;
-	}
-	failedImages(failed) {
-		const refused = [];
-		const told = [];
-		for (const { name, error } of failed) {
-			const breakdown = breakdownOf(error);
-			if (breakdown !== null) told.push(problem(say("could-not-be-opened-try", {
-				name,
-				breakdown
-			})));
-			else if (!(error instanceof Cancelled)) refused.push({
-				name,
-				reason: readable(this.store.state.catalogue, messageOf(error))
-			});
-		}
-		if (failed.some(({ error }) => error instanceof Cancelled)) told.push(unchanged());
-		return refused.length === 0 ? told : [...told, problem(refusedText(refused))];
-	}
-	freeSide() {
-		const { images, activeSide } = this.store.state;
-		if (images.left === null) return "left";
-		return images.right === null ? "right" : activeSide;
-	}
-};
-function fileOf$1({ name, source }) {
-	if (source.kind !== "file") return [];
-	return [source.file instanceof File ? source.file : new File([source.file], name)];
-}
-function takerOf(store, view, files) {
-	const sideAt = (event) => {
-		const box = view.host.getBoundingClientRect();
-		const panes = panesOf(store.state, box.width, box.height);
-		return SIDES.find((side) => contains(panes[side], event.clientX - box.left, event.clientY - box.top));
-	};
-	return {
-		isActive: () => true,
-		markAt: (event) => sideAt(event) ?? "page",
-		take: (found, at) => void files.give(found, SIDES.find((side) => side === at) ?? null, true)
-	};
 }
 // www/pair/files/keep.ts
 var GIVEN$1 = "pair";
@@ -8960,6 +8596,506 @@ function bytesOf$1(source) {
 		case "project": return 0;
 	}
 }
+// www/pair/files/aside.ts
+var PairAside = class {
+	store;
+	putAside;
+	constructor(store, putAside) {
+		this.store = store;
+		this.putAside = putAside;
+	}
+	async leave(marksGo, here) {
+		here();
+		if (!marksGo && !isWorthKeeping(this.store.state)) return [];
+		const names = SIDES.flatMap((side) => this.store.state.images[side]?.name ?? []);
+		const stays = await this.putAside();
+		here();
+		if (stays) return [info(say("stay-under-projects", { title_of: titleOf({
+			name: null,
+			images: names
+		}) }))];
+		const question = say("cannot-be-kept-in-this", {
+			edits: say("the-pair-with-its-marks"),
+			step: say("open-the-other-pair"),
+			length: 1
+		});
+		return window.confirm(question) ? [] : null;
+	}
+};
+// www/pair/files/images.ts
+var MOST_BYTES = 2 ** 30;
+var done = (told) => ({
+	told,
+	isCancelled: false
+});
+var ImageFiles = class {
+	store;
+	engine;
+	telling;
+	aside;
+	toBlock;
+	takeHere;
+	constructor(store, engine, telling, aside, toBlock, takeHere) {
+		this.store = store;
+		this.engine = engine;
+		this.telling = telling;
+		this.aside = aside;
+		this.toBlock = toBlock;
+		this.takeHere = takeHere;
+	}
+	async take(files, side, asks, here) {
+		const tooLarge = files.find((file) => file.size > MOST_BYTES);
+		if (tooLarge !== void 0) return done([problem(say("has-mb-up-to-1", {
+			name: tooLarge.name,
+			size: Math.round(tooLarge.size / 2 ** 20)
+		}))]);
+		const known = await Promise.all(files.map((file) => sideOfFile(this.store.state, this.engine, file)));
+		here();
+		if (known.every((place) => place !== null)) return this.takeFound(files, known, here);
+		const sides = files.length === 2 ? ["left", "right"] : [side ?? this.freeSide()];
+		const images = {};
+		for (const [i, file] of files.entries()) {
+			const target = sides[i];
+			if (target !== void 0) images[target] = {
+				id: freshId(),
+				name: file.name,
+				source: {
+					kind: "file",
+					file
+				}
+			};
+		}
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "busy",
+				text: say("reading-2", { join: files.map((file) => file.name).join(say("and-between")) })
+			}
+		});
+		return this.check(images, "images", here, asks);
+	}
+	async takeFound(files, sides, here) {
+		const images = {};
+		for (const [i, side] of sides.entries()) {
+			const [image, file] = [this.store.state.images[side], files[i]];
+			if (image !== null && file !== void 0) images[side] = {
+				...image,
+				source: {
+					kind: "file",
+					file
+				}
+			};
+		}
+		return this.check(images, "found", here);
+	}
+	async check(images, type, here, asks = false) {
+		const entries = Object.entries(images);
+		const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
+		here();
+		const isCancelled = outcomes.some((outcome) => outcome.status === "rejected" && outcome.reason instanceof Cancelled);
+		if (type === "images" && isCancelled && entries.every(([side]) => this.store.state.images[side] === null)) return {
+			told: this.leaveToRun(entries, outcomes),
+			isCancelled
+		};
+		const told = this.failedImages(outcomes.flatMap((outcome, i) => outcome.status === "rejected" ? [{
+			name: entries[i]?.[1].name ?? say("the-file"),
+			error: outcome.reason
+		}] : []));
+		if (told.length > 0) {
+			const { left, right } = this.store.state.images;
+			const opened = entries.filter((_, i) => outcomes[i]?.status === "fulfilled");
+			if (left === null && right === null && opened.length > 0) this.store.dispatch({
+				type,
+				images: Object.fromEntries(opened)
+			});
+			return {
+				told,
+				isCancelled
+			};
+		}
+		if (type === "found") {
+			this.store.dispatch({
+				type,
+				images
+			});
+			return done([]);
+		}
+		const question = asks ? await this.askOfThird(images) : null;
+		here();
+		return question === null ? this.show(images, here) : done([question]);
+	}
+	leaveToRun(entries, outcomes) {
+		const refused = (i) => {
+			const outcome = outcomes[i];
+			return outcome?.status === "rejected" && !(outcome.reason instanceof Cancelled) ? [{
+				name: entries[i]?.[1].name ?? "",
+				error: outcome.reason
+			}] : [];
+		};
+		const images = Object.fromEntries(entries.filter((_, i) => refused(i).length === 0));
+		this.store.dispatch({
+			type: "images",
+			images,
+			waits: true
+		});
+		return this.failedImages(entries.flatMap((_, i) => refused(i)));
+	}
+	async askOfThird(images) {
+		const { left, right } = this.store.state.images;
+		const [[side, third], another] = Object.entries(images);
+		const files = [
+			left,
+			right,
+			third
+		].flatMap((image) => image === null ? [] : fileOf$1(image));
+		if (another !== void 0 || files.length < 3 || await this.isSame(this.store.state.images[side], third)) return null;
+		const dismiss = () => this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
+		const choices = [
+			{
+				text: say("open-three-as-a-block"),
+				act: () => {
+					dismiss();
+					this.toBlock(files, []);
+				}
+			},
+			{
+				text: say("replace-the-image", { side }),
+				act: () => void this.replace(images)
+			},
+			{
+				text: say("keep-the-pair"),
+				act: dismiss
+			}
+		];
+		return {
+			kind: "info",
+			text: say("is-a-third-image", {
+				name: third.name,
+				side
+			}),
+			choices
+		};
+	}
+	replace(images) {
+		const names = Object.values(images).map(({ name }) => name);
+		return this.takeHere(names, async (here) => {
+			const before = this.store.state.images;
+			const { told } = await this.show(images, here);
+			this.telling.tell([...told, this.cameraStays(before)]);
+		});
+	}
+	cameraStays(before) {
+		const { images, camera } = this.store.state;
+		return SIDES.some((side) => before[side] !== null && images[side]?.id !== before[side].id) && camera !== null && calibrationBehind(camera) === null ? info(say("the-camera-that-was-given-stays")) : null;
+	}
+	async show(images, here) {
+		const { photos, images: former } = this.store.state;
+		const marked = await this.marked(images);
+		const replaces = SIDES.some((side) => images[side] !== void 0 && former[side] !== null);
+		here();
+		const aside = replaces ? await this.aside.leave(marked.gone.length > 0, here) : [];
+		if (aside === null) return {
+			told: [unchanged()],
+			isCancelled: true
+		};
+		this.store.dispatch({
+			type: "images",
+			images,
+			same: marked.same
+		});
+		return done([...aside, ...marked.gone.map((side) => info(say("marks-went-with-the-image", {
+			side,
+			marks: photos[side].fiducials.length
+		})))]);
+	}
+	async marked(images) {
+		const { images: former, photos, truth } = this.store.state;
+		const sides = SIDES.filter((side) => truth === null && images[side] !== void 0 && former[side] !== null && hasData(photos[side]));
+		const areSame = await Promise.all(sides.map((side) => this.isSame(former[side], images[side])));
+		return {
+			same: sides.filter((_, i) => areSame[i]),
+			gone: sides.filter((_, i) => !areSame[i])
+		};
+	}
+	isSame(a, b) {
+		return a === null || b === void 0 ? Promise.resolve(false) : haveSameContent(a.source, b.source, this.engine);
+	}
+	failedImages(failed) {
+		const refused = [];
+		const told = [];
+		for (const { name, error } of failed) {
+			const breakdown = breakdownOf(error);
+			if (breakdown !== null) told.push(problem(say("could-not-be-opened-try", {
+				name,
+				breakdown
+			})));
+			else if (!(error instanceof Cancelled)) refused.push({
+				name,
+				reason: readable(this.store.state.catalogue, messageOf(error))
+			});
+		}
+		if (failed.some(({ error }) => error instanceof Cancelled)) told.push(unchanged());
+		return refused.length === 0 ? told : [...told, problem(refusedText(refused))];
+	}
+	freeSide() {
+		const { images, activeSide } = this.store.state;
+		if (images.left === null) return "left";
+		return images.right === null ? "right" : activeSide;
+	}
+};
+function fileOf$1({ name, source }) {
+	if (source.kind !== "file") return [];
+	return [source.file instanceof File ? source.file : new File([source.file], name)];
+}
+// www/pair/files/sort.ts
+function sortFiles(files) {
+	const isTable = (file) => /\.(csv|txt)$/iu.test(file.name) || file.type === "text/csv";
+	const isCamera = (file) => /\.json$/iu.test(file.name) || file.type === "application/json";
+	const isProject = (file) => /\.tiepoint$/iu.test(file.name);
+	const isMask = (file) => !isTable(file) && !isCamera(file) && !isProject(file) && /(^|[^a-z])masks?([^a-z]|$)/iu.test(file.name);
+	return {
+		masks: files.filter(isMask),
+		tables: files.filter(isTable),
+		cameras: files.filter(isCamera),
+		projects: files.filter(isProject),
+		images: files.filter((file) => !isTable(file) && !isCamera(file) && !isMask(file) && !isProject(file)).sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }))
+	};
+}
+// www/pair/files/open.ts
+function editsToldOf({ project }) {
+	const { rejected, manual } = editsOfFile(project);
+	const of = (number, what) => number === 0 ? [] : [say("matches-by-hand", {
+		number,
+		what
+	})];
+	const said = [...of(rejected, "rejected"), ...of(manual, "measured")];
+	return said.length === 0 ? null : info(say("it-holds-the-history-of", { join: said.join(say("and-between")) }));
+}
+var Files = class {
+	store;
+	engine;
+	openProject;
+	elsewhere;
+	isReady = false;
+	started = () => void 0;
+	ready = new Promise((resolve) => {
+		this.started = resolve;
+	});
+	telling;
+	aside;
+	beside;
+	images;
+	constructor(store, engine, openProject, elsewhere, putAside) {
+		this.store = store;
+		this.engine = engine;
+		this.openProject = openProject;
+		this.elsewhere = elsewhere;
+		this.telling = new Telling(store);
+		this.aside = new PairAside(store, putAside);
+		this.beside = new BesideFiles(store, engine, this.telling);
+		this.images = new ImageFiles(store, engine, this.telling, this.aside, elsewhere.toBlock, (names, take) => this.takeHere(names, take));
+	}
+	begin() {
+		this.isReady = true;
+		this.started();
+	}
+	async give(found, side, asks = side === null) {
+		if (await this.elsewhere.toGround(found)) return;
+		await this.take(found.map(({ file }) => file), side, asks);
+	}
+	async take(files, side, asks = side === null) {
+		if (files.length === 0) return;
+		await this.takeHere(files.map(({ name }) => name), (here) => this.takeKinds(files, side, asks, here));
+	}
+	takeHere(names, take) {
+		const tell = () => this.telling.tell([info(say("were-not-taken-the-project", {
+			files: names.length,
+			names: namesText(names)
+		}))]);
+		return takeHere(this.elsewhere.left, take, tell);
+	}
+	async takeKinds(files, side, asks, here) {
+		this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
+		const refused = await refusedKinds(files);
+		here();
+		const { images, masks, tables, cameras, projects } = sortFiles(files.filter((file) => !refused.has(file)));
+		const [project] = projects;
+		if (project !== void 0) {
+			await this.openProject(project);
+			here();
+			const others = files.filter((file) => !projects.includes(file));
+			if (others.length > 0) await this.take(others, side, asks);
+			return;
+		}
+		if (images.length > 2) {
+			this.elsewhere.toBlock(files.filter((file) => !masks.includes(file)), masks);
+			return;
+		}
+		const before = this.store.state.images;
+		const told = refused.size === 0 ? [] : [problem(kindsText(refused))];
+		const camera = cameras[0];
+		if (camera !== void 0) told.push(await this.beside.camera(camera, here));
+		const { told: ofImages, isCancelled } = images.length > 0 ? await this.images.take(images, side, asks, here) : {
+			told: [],
+			isCancelled: false
+		};
+		if (isCancelled) {
+			const names = [...tables, ...masks].map(({ name }) => name);
+			this.telling.tell([
+				...told,
+				...ofImages,
+				names.length === 0 ? null : info(say("cancelled-before-they-were-read", {
+					files: names.length,
+					names: namesText(names)
+				}))
+			], before);
+			return;
+		}
+		for (const [i, table] of tables.entries()) told.push(await this.beside.fiducials(table, side ?? this.beside.sideOfTable(table, i), here));
+		told.push(...ofImages);
+		if (camera === void 0) told.push(this.images.cameraStays(before));
+		for (const [i, mask] of masks.entries()) told.push(await this.beside.mask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i), here));
+		this.telling.tell(told, before);
+	}
+	takeProject(file) {
+		return this.takeHere([file.name], async (here) => {
+			this.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "busy",
+					text: say("reading", { name: file.name })
+				}
+			});
+			try {
+				const opened = await readProject(this.engine, file, freshId);
+				const aside = await this.aside.leave(hasMarks(this.store.state), here);
+				if (aside === null) return this.telling.tell([unchanged()]);
+				this.store.dispatch({
+					type: "opened",
+					opened
+				});
+				this.telling.tell([
+					info(say("was-opened-the-file-does-not", { name: file.name })),
+					editsToldOf(opened),
+					...aside
+				]);
+			} catch (error) {
+				this.telling.tell([this.telling.failed(say("cannot-be-opened", { name: file.name }), error, here)]);
+			}
+		});
+	}
+	takeMask(file, side) {
+		return this.takeHere([file.name], async (here) => {
+			this.store.dispatch({
+				type: "notice",
+				notice: null
+			});
+			this.telling.tell([await this.beside.mask(file, side, here)]);
+		});
+	}
+	takeFlight(name, flight) {
+		const names = bothSides((side) => `${name} ${side}`);
+		return this.takeHere(Object.values(names), async (here) => {
+			this.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "busy",
+					text: say("rendering-the-pair-a-simulated")
+				}
+			});
+			try {
+				const pair = await this.engine.client("pair").call("simulate", flight);
+				const given = (side) => ({
+					id: freshId(),
+					name: names[side],
+					source: {
+						kind: "grey",
+						...pair[side]
+					}
+				});
+				const aside = await this.aside.leave(hasMarks(this.store.state), here);
+				if (aside === null) return this.telling.tell([unchanged()]);
+				this.store.dispatch({
+					type: "simulated",
+					left: given("left"),
+					right: given("right"),
+					pair
+				});
+				this.telling.tell(aside);
+			} catch (error) {
+				this.telling.tell([this.telling.failed(say("the-pair-could-not-be"), error, here)]);
+			}
+		});
+	}
+	async takeSample() {
+		const sample = this.store.state.catalogue?.flights.find(({ name }) => name === "sample");
+		if (sample !== void 0) await this.takeFlight(sample.name, sample.flight);
+	}
+};
+// www/pair/view/geometry.ts
+var GAP = 10;
+var CLEARLY = 1.2;
+function ratioOf({ openLeft, openRight }) {
+	const ratios = [openLeft, openRight].flatMap((opened) => opened === void 0 ? [] : [opened.value.info.width / opened.value.info.height]);
+	return ratios.length === 0 ? null : ratios.reduce((sum, ratio) => sum + ratio, 0) / ratios.length;
+}
+function isBeside(width, height, ratio) {
+	if (ratio === null) return width >= .85 * height;
+	return Math.min(height / 2, width / ratio) <= CLEARLY * Math.min(height, width / 2 / ratio);
+}
+function panesOf({ results }, width, height) {
+	if (isBeside(width, height, ratioOf(results))) {
+		const pane = Math.max(1, Math.floor((width - GAP) / 2));
+		return {
+			left: {
+				left: 0,
+				top: 0,
+				width: pane,
+				height
+			},
+			right: {
+				left: width - pane,
+				top: 0,
+				width: pane,
+				height
+			}
+		};
+	}
+	const pane = Math.max(1, Math.floor((height - GAP) / 2));
+	return {
+		left: {
+			left: 0,
+			top: 0,
+			width,
+			height: pane
+		},
+		right: {
+			left: 0,
+			top: height - pane,
+			width,
+			height: pane
+		}
+	};
+}
+// www/pair/files/taker.ts
+function takerOf(store, view, files) {
+	const sideAt = (event) => {
+		const box = view.host.getBoundingClientRect();
+		const panes = panesOf(store.state, box.width, box.height);
+		return SIDES.find((side) => contains(panes[side], event.clientX - box.left, event.clientY - box.top));
+	};
+	return {
+		isActive: () => true,
+		markAt: (event) => sideAt(event) ?? "page",
+		take: (found, at) => void files.give(found, SIDES.find((side) => side === at) ?? null, true)
+	};
+}
 // www/pair/files/painted.ts
 async function paintedMask(engine, state, side, corners, masked) {
 	try {
@@ -9024,10 +9160,15 @@ function verdictOf(state, shown, match) {
 	};
 	const code = leftCodes(shown.left, match, shown.orientation)[leftIndex] ?? UNDECIDED;
 	const own = selection.side === "left" ? code : rightCodes(shown.right, match, shown.orientation)[selection.index] ?? UNDECIDED;
+	const beside = code === CODES.indexOf("parallax") ? besideNeighbours(state) : null;
 	return {
 		code,
-		text: `${selection.side === "right" && own === UNDECIDED ? `${say("candidate-of", { point: leftIndex + 1 })} ` : ""}${textOfCode(code)} ${numbers(CODES[code] ?? "undecided", leftIndex, match, settings)}`.trimEnd()
+		text: `${selection.side === "right" && own === UNDECIDED ? `${say("candidate-of", { point: leftIndex + 1 })} ` : ""}${beside ?? `${textOfCode(code)} ${numbers(CODES[code] ?? "undecided", leftIndex, match, settings)}`}`.trimEnd()
 	};
+}
+function besideNeighbours(state) {
+	const { parallax = null } = isCurrent(state, "inspection") ? state.results.inspection?.value ?? {} : {};
+	return parallax !== null && parallax.deviation_px > parallax.allowed_px ? say("parallax-beside", { ...parallax }) : null;
 }
 function numbers(code, index, match, settings) {
 	const { matching } = settings;
@@ -11615,7 +11756,10 @@ function precision(state, result) {
 		{
 			name: say("iterations-last-step"),
 			testid: "iterations",
-			value: `${String(result.iterations)}, ${significant(result.last_step)}`,
+			value: say("of-the-tolerance", {
+				iterations: String(result.iterations),
+				step: significant(result.last_step)
+			}),
 			help: say("the-last-step-relative-to")
 		},
 		{
@@ -12511,6 +12655,7 @@ var GIVEN = [
 	"no_focal_length",
 	"no_pixel_size",
 	"altered",
+	"plane_without_camera",
 	"unknown_camera",
 	"resized_or_cropped",
 	"cropped",
@@ -15598,6 +15743,29 @@ async function ended(error, done, abort) {
 function isFull(error) {
 	return error instanceof DOMException && error.name === "QuotaExceededError";
 }
+// www/shared/state/keeping.ts
+var NOT_KEPT = [
+	"absent",
+	"full",
+	"failed",
+	"reading",
+	"taken"
+];
+function makeKeeping() {
+	return new Holder({
+		project: "",
+		name: null,
+		trouble: null,
+		works: false,
+		opening: null
+	}, (state, changed) => ({
+		...state,
+		...changed
+	}));
+}
+function isKept({ works, trouble }) {
+	return works && (trouble === null || !NOT_KEPT.includes(trouble.kind));
+}
 // www/shared/files/claim.ts
 var LEAVING_MS = 1e3;
 var ANSWER_MS = 1500;
@@ -15679,47 +15847,159 @@ var Claims = class {
 		});
 	}
 };
-// www/shared/files/keeper.ts
-var GATHER_MS = 200;
+// www/shared/files/reading.ts
 var HANDOVER_MS = 400;
-var PORTION_BYTES = 32e6;
+var ProjectReader = class {
+	keepables;
+	claims;
+	tab;
+	constructor(keepables, claims, tab) {
+		this.keepables = keepables;
+		this.claims = claims;
+		this.tab = tab;
+	}
+	async read(database, id, how, { held, lost }) {
+		const row = await database.project(id);
+		if (row === void 0) return null;
+		const title = titleOf(row);
+		const refused = (kind, reason) => ({
+			kind,
+			reason,
+			project: {
+				id,
+				title
+			}
+		});
+		if (row.form > 1) return refused("unreadable", say("a-later-version-of-this-page"));
+		const looks = how === "look";
+		const claim = looks ? null : await this.claims.take(id, how === "steal", lost);
+		if (claim === null && !looks) return refused("elsewhere", "");
+		try {
+			if (how === "steal") await new Promise((resolve) => setTimeout(resolve, HANDOVER_MS));
+			if (!looks) await database.edit(id, { writer: this.tab });
+			const parts = await database.parts(id);
+			return {
+				row,
+				title,
+				parts,
+				claim,
+				shows: await Promise.all(this.keepables.map((keepable) => keepable.read(parts)))
+			};
+		} catch (error) {
+			if (claim !== null && held() !== claim) claim.release();
+			return refused("unreadable", messageOf(error));
+		}
+	}
+};
+// www/shared/files/remembered.ts
 var TAB_PROJECT = "tiepoint-project";
 var BROKE_OFF = "tiepoint-broke-off";
 var MOST_BREAKS = 2;
+function allowed(action, otherwise) {
+	try {
+		return action();
+	} catch {
+		return otherwise;
+	}
+}
+var rememberedProject = () => allowed(() => sessionStorage.getItem(TAB_PROJECT), null);
+var rememberProject = (id) => allowed(() => sessionStorage.setItem(TAB_PROJECT, id), void 0);
+function breaks(id) {
+	const [project, count] = (allowed(() => localStorage.getItem(BROKE_OFF), null) ?? "").split(" ");
+	return project === id ? Number(count) || 0 : 0;
+}
+var countBreak = (id) => allowed(() => localStorage.setItem(BROKE_OFF, `${id} ${String(breaks(id) + 1)}`), void 0);
+var forgetBreaks = () => allowed(() => localStorage.removeItem(BROKE_OFF), void 0);
+var breaksOff = (project) => breaks(project) >= MOST_BREAKS;
+// www/shared/files/written.ts
+var PORTION_BYTES = 32e6;
+var Written = class {
+	keepables;
+	parts = new Map();
+	mode = "";
+	isNew = true;
+	constructor(keepables) {
+		this.keepables = keepables;
+	}
+	begin() {
+		this.isNew = true;
+		this.parts = new Map();
+	}
+	opened(parts) {
+		this.isNew = false;
+		this.parts = new Map(parts);
+	}
+	forget(parts) {
+		for (const gone of parts) this.parts.delete(gone);
+	}
+	changes() {
+		const parts = new Map(this.keepables.flatMap((keepable) => [...keepable.parts()]));
+		return {
+			put: new Map([...parts].filter(([part, { value }]) => !this.parts.has(part) || this.parts.get(part) !== value)),
+			drop: [...this.parts.keys()].filter((part) => !parts.has(part))
+		};
+	}
+	isChanged() {
+		const { put, drop } = this.changes();
+		return drop.length > 0 || [...put.values()].some(({ again }) => again !== true);
+	}
+	async write(database, row, put, drop) {
+		const write = async (some, gone) => {
+			await database.write(row, {
+				put: some,
+				drop: gone
+			}, this.isNew);
+			this.isNew = false;
+			for (const [part, { value }] of some) this.parts.set(part, value);
+			for (const part of gone) this.parts.delete(part);
+		};
+		for (const portion of portionsOf(put)) await write(portion, []);
+		const rest = new Map([...put].filter(([part]) => this.parts.get(part) !== put.get(part)?.value || !this.parts.has(part)));
+		try {
+			await write(rest, drop);
+		} catch (error) {
+			const needed = new Map([...rest].filter(([, { again }]) => again !== true));
+			if (!(error instanceof KeepError) || error.kind !== "full" || needed.size === rest.size) throw error;
+			await write(needed, drop);
+			throw error;
+		}
+	}
+};
+function portionsOf(put) {
+	const portions = [];
+	let room = 0;
+	for (const [part, kept] of put) {
+		if (kept.alone !== true) continue;
+		if (room < kept.bytes) {
+			portions.push(new Map());
+			room = PORTION_BYTES;
+		}
+		portions.at(-1)?.set(part, kept);
+		room -= kept.bytes;
+	}
+	return portions;
+}
+// www/shared/files/keeper.ts
+var GATHER_MS = 200;
 var CALM_MS = 15e3;
-var NOT_KEPT = [
-	"absent",
-	"full",
-	"failed",
-	"reading",
-	"taken"
-];
 var Keeper = class {
 	keepables;
 	mode;
-	keeping = new Holder({
-		project: "",
-		name: null,
-		trouble: null,
-		works: false,
-		opening: null
-	}, (state, changed) => ({
-		...state,
-		...changed
-	}));
+	keeping = makeKeeping();
 	tab = randomName();
 	claims = new Claims(this.tab);
 	claim = null;
 	database = null;
-	written = new Map();
-	writtenMode = "";
-	isNew = true;
+	reader;
+	written;
 	timer;
 	saving = Promise.resolve();
 	leaving = new Leaving();
 	constructor(keepables, mode) {
 		this.keepables = keepables;
 		this.mode = mode;
+		this.reader = new ProjectReader(keepables, this.claims, this.tab);
+		this.written = new Written(keepables);
 	}
 	async start(opening, ready) {
 		let show = () => {};
@@ -15742,7 +16022,7 @@ var Keeper = class {
 		await this.shown(show);
 		this.keeping.dispatch({ opening: null });
 		if (this.claim === null) await this.begin();
-		this.writtenMode = this.mode.now();
+		this.written.mode = this.mode.now();
 		for (const keepable of this.keepables) keepable.watch(() => this.later());
 		this.mode.watch(() => this.later());
 		document.addEventListener("visibilitychange", () => {
@@ -15754,12 +16034,8 @@ var Keeper = class {
 		});
 	}
 	get isLost() {
-		if (this.keeping.state.trouble?.kind === "reading") return this.isChanged();
-		return !this.isKept && this.keepables.some((keepable) => keepable.parts().size > 0);
-	}
-	get isKept() {
-		const { works, trouble } = this.keeping.state;
-		return works && (trouble === null || !NOT_KEPT.includes(trouble.kind));
+		if (this.keeping.state.trouble?.kind === "reading") return this.written.isChanged();
+		return !isKept(this.keeping.state) && this.keepables.some((keepable) => keepable.parts().size > 0);
 	}
 	async projects() {
 		const { database } = this;
@@ -15782,7 +16058,7 @@ var Keeper = class {
 		await this.settle();
 		for (const keepable of this.keepables) keepable.clear();
 		await this.shown(show);
-		this.writtenMode = this.mode.now();
+		this.written.mode = this.mode.now();
 	}
 	async shown(show) {
 		try {
@@ -15808,6 +16084,9 @@ var Keeper = class {
 	left() {
 		return this.leaving.left();
 	}
+	stays() {
+		return this.leaving.stays();
+	}
 	async begun() {
 		this.leaving.leave();
 		await this.settle();
@@ -15821,7 +16100,7 @@ var Keeper = class {
 	}
 	async putsAside(part) {
 		await this.settle();
-		if (this.isNew || !this.isKept) return false;
+		if (this.written.isNew || !isKept(this.keeping.state)) return false;
 		if (this.keepables.some((keepable) => keepable.mode !== part.mode && keepable.parts().size > 0)) return this.separate(part);
 		await this.begin();
 		return true;
@@ -15846,15 +16125,17 @@ var Keeper = class {
 			this.failed(error, project);
 			return false;
 		}
-		for (const gone of parts) this.written.delete(gone);
+		this.written.forget(parts);
 		if (takesName) this.keeping.dispatch({ name: null });
 		this.later();
 		return true;
 	}
-	async keepAsNew() {
-		await this.begin();
-		this.keeping.dispatch({ trouble: null });
-		await this.flush();
+	keepAsNew() {
+		return this.leaving.inTurn(async () => {
+			await this.begin();
+			this.keeping.dispatch({ trouble: null });
+			await this.flush();
+		});
 	}
 	async rename(id, name) {
 		await this.database?.edit(id, { name });
@@ -15898,7 +16179,7 @@ var Keeper = class {
 		const row = remembered === null ? rows[0] : rows.find(({ id }) => id === remembered);
 		const nothing = () => {};
 		if (row === void 0) return nothing;
-		if (breaks(row.id) >= MOST_BREAKS) {
+		if (breaksOff(row.id)) {
 			this.keeping.dispatch({ trouble: {
 				kind: "broke-off",
 				reason: "",
@@ -15916,58 +16197,43 @@ var Keeper = class {
 	}
 	async read(id, how) {
 		const { database } = this;
-		const row = await database?.project(id);
-		if (database === null || row === void 0) return null;
-		const project = {
-			id,
-			title: titleOf(row)
-		};
-		const refuse = (kind, reason) => {
-			this.keeping.dispatch({ trouble: {
-				kind,
-				reason,
-				project
-			} });
+		if (database === null) return null;
+		const read = await this.reader.read(database, id, how, {
+			held: () => this.claim,
+			lost: () => this.lost(id)
+		});
+		if (read === null) return null;
+		if ("kind" in read) {
+			this.keeping.dispatch({ trouble: read });
 			return null;
-		};
-		if (row.form > 1) return refuse("unreadable", say("a-later-version-of-this-page"));
-		const looks = how === "look";
-		const claim = looks ? null : await this.claims.take(id, how === "steal", () => this.lost(id));
-		if (claim === null && !looks) return refuse("elsewhere", "");
-		try {
-			if (how === "steal") await new Promise((resolve) => setTimeout(resolve, HANDOVER_MS));
-			if (!looks) await database.edit(id, { writer: this.tab });
-			const parts = await database.parts(id);
-			const shows = await Promise.all(this.keepables.map((keepable) => keepable.read(parts)));
-			return () => {
-				if (this.claim !== claim) this.claim?.release();
-				this.claim = claim;
-				this.isNew = false;
-				this.written = new Map(parts);
-				this.keeping.dispatch({
-					project: id,
-					name: row.name,
-					trouble: looks ? {
-						kind: "reading",
-						reason: "",
-						project
-					} : null
-				});
-				rememberProject(id);
-				for (const show of shows) show();
-				this.mode.show(row.mode);
-			};
-		} catch (error) {
-			if (claim !== null && this.claim !== claim) claim.release();
-			return refuse("unreadable", messageOf(error));
 		}
+		const { row, title, parts, claim, shows } = read;
+		return () => {
+			if (this.claim !== claim) this.claim?.release();
+			this.claim = claim;
+			this.written.opened(parts);
+			this.keeping.dispatch({
+				project: id,
+				name: row.name,
+				trouble: claim === null ? {
+					kind: "reading",
+					reason: "",
+					project: {
+						id,
+						title
+					}
+				} : null
+			});
+			rememberProject(id);
+			for (const show of shows) show();
+			this.mode.show(row.mode);
+		};
 	}
 	async begin() {
 		const project = randomName();
 		this.claim?.release();
 		this.claim = await this.claims.take(project, true, () => this.lost(project));
-		this.isNew = true;
-		this.written = new Map();
+		this.written.begin();
 		this.keeping.dispatch({
 			project,
 			name: null
@@ -15995,24 +16261,13 @@ var Keeper = class {
 	images() {
 		return this.keepables.map((keepable) => keepable.images()).find((images) => images.length > 0) ?? [];
 	}
-	changes() {
-		const parts = new Map(this.keepables.flatMap((keepable) => [...keepable.parts()]));
-		return {
-			put: new Map([...parts].filter(([part, { value }]) => !this.written.has(part) || this.written.get(part) !== value)),
-			drop: [...this.written.keys()].filter((part) => !parts.has(part))
-		};
-	}
-	isChanged() {
-		const { put, drop } = this.changes();
-		return drop.length > 0 || [...put.values()].some(({ again }) => again !== true);
-	}
 	async save() {
 		const { database, keeping } = this;
 		const { project, name, trouble } = keeping.state;
 		if (database === null || project === "" || trouble?.kind === "taken" || trouble?.kind === "reading") return;
-		const { put, drop } = this.changes();
+		const { put, drop } = this.written.changes();
 		const mode = this.mode.now();
-		if (put.size === 0 && drop.length === 0 && (this.isNew || mode === this.writtenMode)) return;
+		if (put.size === 0 && drop.length === 0 && (this.written.isNew || mode === this.written.mode)) return;
 		const row = {
 			id: project,
 			form: 1,
@@ -16023,32 +16278,11 @@ var Keeper = class {
 			writer: this.tab
 		};
 		try {
-			await this.write(database, row, put, drop);
-			this.writtenMode = mode;
+			await this.written.write(database, row, put, drop);
+			this.written.mode = mode;
 			if (trouble?.kind === "full" || trouble?.kind === "failed") keeping.dispatch({ trouble: null });
 		} catch (error) {
 			this.failed(error, project);
-		}
-	}
-	async write(database, row, put, drop) {
-		const write = async (some, gone) => {
-			await database.write(row, {
-				put: some,
-				drop: gone
-			}, this.isNew);
-			this.isNew = false;
-			for (const [part, { value }] of some) this.written.set(part, value);
-			for (const part of gone) this.written.delete(part);
-		};
-		for (const portion of portionsOf(put)) await write(portion, []);
-		const rest = new Map([...put].filter(([part]) => this.written.get(part) !== put.get(part)?.value || !this.written.has(part)));
-		try {
-			await write(rest, drop);
-		} catch (error) {
-			const needed = new Map([...rest].filter(([, { again }]) => again !== true));
-			if (!(error instanceof KeepError) || error.kind !== "full" || needed.size === rest.size) throw error;
-			await write(needed, drop);
-			throw error;
 		}
 	}
 	failed(error, id) {
@@ -16065,8 +16299,7 @@ var Keeper = class {
 			return;
 		}
 		if (kind === "gone") {
-			this.isNew = true;
-			this.written = new Map();
+			this.written.begin();
 			this.later();
 			return;
 		}
@@ -16081,35 +16314,6 @@ var Keeper = class {
 		} });
 	}
 };
-function portionsOf(put) {
-	const portions = [];
-	let room = 0;
-	for (const [part, kept] of put) {
-		if (kept.alone !== true) continue;
-		if (room < kept.bytes) {
-			portions.push(new Map());
-			room = PORTION_BYTES;
-		}
-		portions.at(-1)?.set(part, kept);
-		room -= kept.bytes;
-	}
-	return portions;
-}
-function allowed(action, otherwise) {
-	try {
-		return action();
-	} catch {
-		return otherwise;
-	}
-}
-var rememberedProject = () => allowed(() => sessionStorage.getItem(TAB_PROJECT), null);
-var rememberProject = (id) => allowed(() => sessionStorage.setItem(TAB_PROJECT, id), void 0);
-function breaks(id) {
-	const [project, count] = (allowed(() => localStorage.getItem(BROKE_OFF), null) ?? "").split(" ");
-	return project === id ? Number(count) || 0 : 0;
-}
-var countBreak = (id) => allowed(() => localStorage.setItem(BROKE_OFF, `${id} ${String(breaks(id) + 1)}`), void 0);
-var forgetBreaks = () => allowed(() => localStorage.removeItem(BROKE_OFF), void 0);
 // www/shared/files/late.ts
 var LateKeepable = class {
 	mode;
@@ -16698,13 +16902,6 @@ function mountTheme(button) {
 		keepChoice(NAME, theme);
 	});
 }
-// www/shared/state/mode.ts
-function isMode(text) {
-	return text === "pair" || text === "block";
-}
-function makeModes() {
-	return new Holder({ mode: "pair" }, (_, mode) => ({ mode }));
-}
 // www/program.ts
 var START_BYTES = 1024;
 var keeping = null;
@@ -16745,7 +16942,8 @@ async function startParts(opening, serveDrop) {
 			modes,
 			openProject,
 			putAside: (kept) => keeper.putAside(kept),
-			left: () => keeper.left()
+			left: () => keeper.left(),
+			stays: () => keeper.stays()
 		});
 		keptBlock.arrive(block.kept);
 		takers.unshift(block.taker);
@@ -16764,9 +16962,10 @@ async function startParts(opening, serveDrop) {
 		});
 		if (block !== void 0) await act(block);
 	}
-	async function show(mode) {
-		if (mode === "pair") modes.dispatch(mode);
-		else await withBlock(() => modes.dispatch(mode));
+	async function show(mode, isKept = false) {
+		const to = isKept ? { kept: mode } : mode;
+		if (mode === "pair") modes.dispatch(to);
+		else await withBlock(() => modes.dispatch(to));
 	}
 	const inBlock = (act) => withBlock(async (block) => {
 		modes.dispatch("block");
@@ -16793,7 +16992,7 @@ async function startParts(opening, serveDrop) {
 	const keeper = new Keeper([keptBlock, pair.kept], {
 		now: () => modes.state.mode,
 		show: (kept) => {
-			if (isMode(kept)) show(kept);
+			if (isMode(kept)) show(kept, true);
 		},
 		watch: (changed) => modes.watch(["mode"], changed)
 	});
@@ -16838,7 +17037,10 @@ async function loadBlock(catalogue, pair, elsewhere) {
 			names: () => [pair.store.state.images.left?.name ?? null, pair.store.state.images.right?.name ?? null],
 			watch: (changed) => pair.store.watch(["images"], changed)
 		},
-		openPair: (store, images) => openPair(store, elsewhere.modes, pair.store, pair.engine, () => elsewhere.putAside(pair.kept), images)
+		openPair: (store, images) => openPair(store, elsewhere.modes, pair, {
+			putAside: () => elsewhere.putAside(pair.kept),
+			stays: elsewhere.stays
+		}, images)
 	});
 	block.store.dispatch({
 		type: "ready",
@@ -16846,4 +17048,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, takeHere, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

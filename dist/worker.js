@@ -793,6 +793,11 @@
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
+	function parallax_deviation(index, left_points, rules, places, offset, options) {
+		const ret = wasm.parallax_deviation(index, left_points, rules, places, offset, options);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
 	function parse_camera(json) {
 		const ret = wasm.parse_camera(json);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -4502,6 +4507,7 @@
 		match,
 		nearest: ({ left, first, end, right }) => nearest_piece(left, first, end, right),
 		candidates: candidatesOf,
+		parallaxDeviation: ({ index, points, match: { rules, places }, offset, options }) => parallax_deviation(index, points, rules, places, offset, options),
 		gradientCandidates: ({ index, left, right, most }) => gradient_candidates(index, left, right, most),
 		epipolarLine: ({ from, x, y, model, interior: ofPair, width, height }) => epipolar_line(from, x, y, model, ofPair, width, height),
 		score: (s) => score_matches(s.matches, s.leftPoints, s.rightPosition, s.left.width, s.left.height, s.right.width, s.right.height),

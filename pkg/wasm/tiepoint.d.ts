@@ -1257,7 +1257,7 @@ export interface RejectedObservation {
 /**
  * A slip of writing that explains wrong coordinates. Numbers are as they were written.
  */
-export type Mistake = { kind: "exchanged" } | { kind: "sign"; axis: Axis; given: string } | { kind: "decimal_point"; axis: Axis; given: string; likely: string } | { kind: "feet"; given: string; likely: string } | { kind: "metres"; given: string; likely: string } | { kind: "digit"; axis: Axis; given: string; likely: string } | { kind: "transposed"; axis: Axis; given: string; likely: string } | { kind: "zone"; zone: number };
+export type Mistake = { kind: "exchanged" } | { kind: "sign"; axis: Axis; given: string } | { kind: "decimal_point"; axis: Axis; given: string; likely: string } | { kind: "feet"; given: string; likely: string } | { kind: "metres"; given: string; likely: string } | { kind: "digit"; axis: Axis; given: string; likely: string } | { kind: "transposed"; axis: Axis; given: string; likely: string } | { kind: "zone"; zone: number } | { kind: "name"; other: string };
 
 /**
  * A surveyed point as it was measured in an image.
@@ -1976,6 +1976,17 @@ export interface Step {
      * How many of those done are from an earlier run.
      */
     found: number;
+}
+
+/**
+ * How far the y-parallax of a point is from those of its nearest matches, and how far it may be, in px.
+ */
+export interface ParallaxDeviation {
+    deviation_px: number;
+    /**
+     * The tolerance, or 3 times the scatter of the neighbours where that is larger.
+     */
+    allowed_px: number;
 }
 
 /**
@@ -4654,7 +4665,7 @@ export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | {
 /**
  * What is weak about a model.
  */
-export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "looking_up"; observed: Observed; tilt_deg: number } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "positions_apart"; axis: Axis; difference_m: number; times: number; focal?: boolean } | { kind: "positions_elsewhere"; images: number; distance_km: number; place_slip: PlaceSlip | null; in_crs?: boolean } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; certain?: boolean; mistake: Mistake | null } | { kind: "control_untested"; point: string; measurements: number } | { kind: "control_unplaced"; point: string; measurements: number } | { kind: "control_contradicts"; refused: number; points: number; w?: number | null } | { kind: "control_tests_stopped"; left_out: number; points: number } | { kind: "control_unadjusted"; names: string[] } | { kind: "control_lost"; lost: number; points: number; from_bottom: boolean; control_apart?: ControlApart | null } | { kind: "control_without_place"; given: number; measured: number; taken: number } | { kind: "control_shape"; names: string[]; ratio: number; longest: string; shortest: string; point: string | null } | { kind: "few_control"; points: number; positions?: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number; check?: boolean } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[]; check?: boolean } | { kind: "checks_apart"; axis: Axis; points: number; difference_m: number; error_m: number } | { kind: "stated_errors"; observed: Observed; columns: string[]; stated: number; residual_m: number | null; unit: LengthUnit } | { kind: "control_elsewhere"; points: number; images: string[]; check: boolean } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "focal_of_ground"; camera: NamedCamera; images_px: number; images_error_px: number; images_unit_px?: number; ground_px: number; ground_error_px: number } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
+export type BlockWarning = { kind: "free"; cause: Cause | null; without_heights?: number } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "looking_up"; observed: Observed; tilt_deg: number } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "positions_apart"; axis: Axis; difference_m: number; times: number; focal?: boolean; control?: boolean } | { kind: "positions_elsewhere"; images: number; distance_km: number; place_slip: PlaceSlip | null; in_crs?: boolean } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; certain?: boolean; mistake: Mistake | null } | { kind: "control_untested"; point: string; measurements: number } | { kind: "control_unplaced"; point: string; measurements: number } | { kind: "control_contradicts"; refused: number; points: number; w?: number | null } | { kind: "control_tests_stopped"; left_out: number; points: number } | { kind: "control_unadjusted"; names: string[] } | { kind: "control_lost"; lost: number; points: number; from_bottom: boolean; control_apart?: ControlApart | null } | { kind: "control_without_place"; given: number; measured: number; taken: number } | { kind: "control_shape"; names: string[]; ratio: number; longest: string; shortest: string; point: string | null } | { kind: "few_control"; points: number; positions?: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number; check?: boolean } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[]; check?: boolean } | { kind: "check_refused"; point: string; axis: Axis; difference_m: number; error_m: number; mistake: Mistake | null } | { kind: "checks_apart"; axis: Axis; points: number; difference_m: number; error_m: number } | { kind: "stated_errors"; observed: Observed; columns: string[]; stated: number; residual_m: number | null; unit: LengthUnit } | { kind: "control_elsewhere"; points: number; images: string[]; check: boolean } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "focal_of_ground"; camera: NamedCamera; images_px: number; images_error_px: number; images_unit_px?: number; ground_px: number; ground_error_px: number } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
 
 /**
  * What makes an orientation weak although it could be computed.
@@ -4901,7 +4912,7 @@ export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number;
 /**
  * What the run reports of its input beside the images that it skips.
  */
-export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unknown_position_columns"; columns: string[] } | { kind: "position_heights"; column: string; positions: number } | { kind: "doubled_position_columns"; columns: string[] } | { kind: "positions_of_other_images"; images: string[]; all: boolean } | { kind: "points_without_coordinates"; points: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unknown_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_elsewhere"; images: number; within_m: number; distance_km: number; crs: string; place_slip: PlaceSlip } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "orthophoto_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "mosaic_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unnamed_errors"; columns: string[] } | { kind: "unknown_mark_columns"; columns: string[] } | { kind: "unknown_position_columns"; columns: string[] } | { kind: "unnamed_position_errors"; columns: string[] } | { kind: "position_heights"; column: string; positions: number } | { kind: "doubled_position_columns"; columns: string[] } | { kind: "positions_of_other_images"; images: string[]; all: boolean } | { kind: "points_without_coordinates"; points: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unknown_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "gnss_without_system"; positions: number } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_elsewhere"; images: number; within_m: number; distance_km: number; crs: string; place_slip: PlaceSlip } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "orthophoto_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "mosaic_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
 
 /**
  * What two points are compared by.
@@ -5029,7 +5040,7 @@ export type Failure = { kind: "unreadable"; message: string } | { kind: "refused
 /**
  * Why a pair has no orientation.
  */
-export type NoOrientation = { kind: "no_camera"; side: Side } | { kind: "no_focal_length" } | { kind: "no_pixel_size"; side: Side } | { kind: "altered"; side: Side; camera_caution: CameraCaution } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "panorama"; side: Side } | { kind: "no_geometry"; no_geometry: NoGeometry } | { kind: "pure_rotation" } | { kind: "one_photo" } | { kind: "parts_of_one_image" } | { kind: "refused"; error: { kind: string } };
+export type NoOrientation = { kind: "no_camera"; side: Side } | { kind: "no_focal_length" } | { kind: "no_pixel_size"; side: Side } | { kind: "altered"; side: Side; camera_caution: CameraCaution } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "panorama"; side: Side } | { kind: "no_geometry"; no_geometry: NoGeometry } | { kind: "pure_rotation" } | { kind: "plane_without_camera" } | { kind: "one_photo" } | { kind: "parts_of_one_image" } | { kind: "refused"; error: { kind: string } };
 
 /**
  * Why a pair was chosen.
@@ -5894,6 +5905,12 @@ export function pair_presets(): PairPreset[];
 export function paper(): Paper;
 
 /**
+ * How far the y-parallax of one left point is from those of its nearest matches, and how far it may be; absent where it has no place or nothing is near.
+ * Rules and places are those of a `MatchResult`.
+ */
+export function parallax_deviation(index: number, left_points: Float64Array | readonly number[], rules: Uint8Array | Uint8ClampedArray | ArrayBuffer, places: Float64Array | readonly number[], offset: OffsetField, options: Given<MatchOptions>): ParallaxDeviation | undefined;
+
+/**
  * Every option of a pair, in the order of the pipeline.
  */
 export function parameters(): Parameter[];
@@ -6202,6 +6219,7 @@ export interface InitOutput {
     readonly pair_preset: (a: any) => [number, number, number];
     readonly pair_presets: () => any;
     readonly paper: () => any;
+    readonly parallax_deviation: (a: any, b: any, c: any, d: any, e: any, f: any) => [number, number, number];
     readonly parameters: () => any;
     readonly parse_camera: (a: any) => [number, number, number];
     readonly parse_camera_rules: (a: any) => [number, number, number];

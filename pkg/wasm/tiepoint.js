@@ -2399,6 +2399,25 @@ export function paper() {
 }
 
 /**
+ * How far the y-parallax of one left point is from those of its nearest matches, and how far it may be; absent where it has no place or nothing is near.
+ * Rules and places are those of a `MatchResult`.
+ * @param {number} index
+ * @param {Float64Array | readonly number[]} left_points
+ * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} rules
+ * @param {Float64Array | readonly number[]} places
+ * @param {OffsetField} offset
+ * @param {Given<MatchOptions>} options
+ * @returns {ParallaxDeviation | undefined}
+ */
+export function parallax_deviation(index, left_points, rules, places, offset, options) {
+    const ret = wasm.parallax_deviation(index, left_points, rules, places, offset, options);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * Every option of a pair, in the order of the pipeline.
  * @returns {Parameter[]}
  */

@@ -142,6 +142,7 @@ export const pair_hint: (a: any, b: any) => [number, number, number];
 export const pair_preset: (a: any) => [number, number, number];
 export const pair_presets: () => any;
 export const paper: () => any;
+export const parallax_deviation: (a: any, b: any, c: any, d: any, e: any, f: any) => [number, number, number];
 export const parameters: () => any;
 export const parse_camera: (a: any) => [number, number, number];
 export const parse_camera_rules: (a: any) => [number, number, number];
