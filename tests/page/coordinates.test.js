@@ -73,9 +73,18 @@ test('coordinates alone are taken; three points measured in two images each, wit
       const index = [...new Set(places.map(([of = '']) => of))].sort().indexOf(image);
       await press(page, index, Number(x), Number(y));
     }
-    await says(page, 'block-edit-text', /placed in 2 images/);
+    await says(page, 'block-edit-text', new RegExp(`^${name}: placed in 2 images`));
     if (i === 0) await page.screenshot({ path: join(SHOTS, 'coordinates-measuring.png') });
-    await part(page, 'block-accept').click();
+    if (i === 1) {
+      // Undo takes the latest place back; who goes on to another point keeps what was placed.
+      await part(page, 'block-undo').click();
+      await says(page, 'block-edit-text', /^G2: placed in 1 image\b/);
+      const [image = '', , x, y] = own[1] ?? [];
+      await press(page, [...new Set(places.map(([of = '']) => of))].sort().indexOf(image), Number(x), Number(y));
+      await says(page, 'block-edit-text', /^G2: placed in 2 images/);
+      await row(page, 'G3').click();
+      await status(page, /G2 was accepted as it was placed in 2 images; ↶ takes it back\./);
+    } else await part(page, 'block-accept').click();
     await useIs(page, name, /^control · measured in 2 images$/u);
     if (i > 0) continue;
     await part(page, 'block-undo').click();

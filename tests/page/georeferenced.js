@@ -95,3 +95,13 @@ export function inDegrees(file) {
   changed[at + 6] = 2;
   return changed;
 }
+
+/** A geoid in GTX, 47 m above the ellipsoid about the place of simulated blocks. */
+export function flatGeoid() {
+  const [south, west, step, rows, columns] = [49.5, 7.5, 0.25, 5, 5];
+  const file = Buffer.alloc(40 + 4 * rows * columns);
+  for (const [k, value] of [south, west, step, step].entries()) file.writeDoubleBE(value, 8 * k);
+  for (const [k, value] of [rows, columns].entries()) file.writeInt32BE(value, 32 + 4 * k);
+  for (let k = 0; k < rows * columns; k += 1) file.writeFloatBE(47, 40 + 4 * k);
+  return new Uint8Array(file);
+}

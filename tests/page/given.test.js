@@ -5,6 +5,7 @@ import { rmSync } from 'node:fs';
 import { test } from 'node:test';
 import { read_exif } from '../../pkg/node.js';
 import { block, drop, FLIGHT, photoFolder, photos, status } from './blocks.js';
+import { flatGeoid } from './georeferenced.js';
 import { hosted, part, partsNamed, SKIP, until, upload } from './page.js';
 import { blockPhotos } from './rendered.js';
 
@@ -107,20 +108,10 @@ test('a run that fails leaves the finished block on the page', { skip: SKIP }, a
   await close();
 });
 
-/** A geoid in GTX, 47 m above the ellipsoid about the place of simulated blocks. */
-function geoid() {
-  const [south, west, step, rows, columns] = [49.5, 7.5, 0.25, 5, 5];
-  const file = Buffer.alloc(40 + 4 * rows * columns);
-  for (const [k, value] of [south, west, step, step].entries()) file.writeDoubleBE(value, 8 * k);
-  for (const [k, value] of [rows, columns].entries()) file.writeInt32BE(value, 32 + 4 * k);
-  for (let k = 0; k < rows * columns; k += 1) file.writeFloatBE(47, 40 + 4 * k);
-  return new Uint8Array(file);
-}
-
 test('heights of a block count from the geoid of a file, which the browser keeps', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block();
   await photos(page);
-  await part(page, 'block-geoid-input').setInputFiles(upload('flat.gtx', geoid()));
+  await part(page, 'block-geoid-input').setInputFiles(upload('flat.gtx', flatGeoid()));
   await status(page, /flat\.gtx without a coordinate system.* The block cannot be run with it\.$/);
   await says(page, 'block-geoid-problem', /flat\.gtx without a coordinate system/);
   await part(page, 'tab-block-settings').click();
@@ -140,7 +131,7 @@ test('heights of a block count from the geoid of a file, which the browser keeps
   // What is no geoid is refused by the run, which leaves the finished block.
   await part(page, 'block-geoid-remove').click();
   await says(page, 'block-geoid-name', /^None\. The geoid to which/);
-  await part(page, 'block-geoid-input').setInputFiles(upload('cut.gtx', geoid().slice(0, 100)));
+  await part(page, 'block-geoid-input').setInputFiles(upload('cut.gtx', flatGeoid().slice(0, 100)));
   await part(page, 'block-run').click();
   await status(page, /^The block was not finished: .*cut\.gtx, which is not a geoid file that can be read/);
   assert.deepEqual(complaints, []);

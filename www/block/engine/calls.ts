@@ -20,6 +20,7 @@ import type { Position } from '../../shared/state/pane';
 import type { LinksInput } from './block-links';
 import type { Turn, Window } from './match';
 import type { AdjustInput, ControlInput, ElsewhereInput, Ground, LaidInput, LaidPicture, MosaicInput, PlaceInput, PredictInput, TileInput } from './orthophoto';
+import type { ProjectInput } from './project-input';
 import type { AddedControl } from '../state/added';
 import type { ImagePoints, ViewObservations } from '../state/facts';
 import type { LinkedImage } from '../state/links';
@@ -69,10 +70,11 @@ export interface MadeFile {
   bytes: Uint8Array<ArrayBuffer>;
 }
 
-/** A block of a file, with the edits that it was saved with. */
+/** A block of a file, with the edits that it was saved with, and what it was made of. */
 export interface OpenedBlock {
   view: BlockView;
   edits: BlockEdit[];
+  made: ProjectInput;
 }
 
 export interface BlockCalls {

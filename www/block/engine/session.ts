@@ -13,6 +13,7 @@ import { groundOf } from './ground';
 import { made } from './made';
 import { Found, Rejected } from './rejected';
 import { viewOf } from './outcome';
+import { projectInputOf } from './project-input';
 import type { BlockView } from '../state/view';
 
 let held: FinishedBlock | null = null;
@@ -53,7 +54,7 @@ export async function blockRun({ files, options, masks, geoid, truth, workers, k
 
 export function blockOpen({ bytes, truth }: { bytes: Uint8Array; truth: BlockModel | null }): OpenedBlock {
   const block = FinishedBlock.open(bytes);
-  return { view: hold(block, truth, 'another'), edits: block.edits() };
+  return { view: hold(block, truth, 'another'), edits: block.edits(), made: projectInputOf(bytes, block) };
 }
 
 /** The former block stays where the edits are refused. */

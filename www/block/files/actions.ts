@@ -53,6 +53,8 @@ export class BlockActions {
   }
 
   private async runOf(here: Here): Promise<void> {
+    // What is placed of a point that is still measured is of this run.
+    this.store.dispatch({ type: 'accept', leaves: true });
     const { shown, history } = this.store.state;
     const names = shown === null ? null : namesOf(shown.found);
     // The same files and settings give the same tie points.
@@ -88,6 +90,7 @@ export class BlockActions {
   /** Removes all images, and the block. */
   clear(): Promise<void> {
     return doHere(this.stays, async (here) => {
+      this.store.dispatch({ type: 'accept', leaves: true });
       const { shown, history, marks } = this.store.state;
       const isEdited = history.edits.length + marks.edits.length > 0;
       const stays = await this.aside.leave(say('remove-all-images'), here);

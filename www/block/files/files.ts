@@ -19,6 +19,7 @@ import { BesideFiles, CAMERAS, TABLE } from './beside';
 import { FilmFiles } from './film';
 import { GroundFiles } from './ground';
 import { newId } from './ids';
+import { optionsOf } from './opened';
 import { asGiven, sortRasters } from './rasters';
 import type { BlockRuns } from './runs';
 import { SimulatedFiles } from './simulated';
@@ -206,7 +207,7 @@ export class BlockFiles {
     return this.takeHere([file.name], async (here) => {
       this.telling.tell('busy', say('reading', { name: file.name }));
       try {
-        const { view, edits, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
+        const { view, edits, made, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
         here();
         const edited = await this.aside.leave(say('open-the-other-project'), here);
         if (edited === null) {
@@ -216,7 +217,7 @@ export class BlockFiles {
         const stays = edited || (this.store.state.shown !== null && (await this.aside.putAside()));
         here();
         hold();
-        this.store.dispatch({ type: 'openedFile', view, edits });
+        this.store.dispatch({ type: 'openedFile', view, edits, options: optionsOf(made, file.name) });
         const former = stays ? say('the-former-block-stays-under') : '';
         this.telling.tell('info', say('was-opened-the-file-does', { name: file.name, former }));
       } catch (error) {

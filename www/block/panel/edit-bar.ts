@@ -6,8 +6,9 @@ import { set, showSteps } from '../../shared/panel/history';
 import { fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
-import { isGiven, stepOfDraft } from '../state/draft';
+import { isGiven, nameOfDraft, stepOfDraft } from '../state/draft';
 import { comparedText, figuresOf } from '../state/edited';
+import type { Draft } from '../state/edited';
 import { editsInForce, isEditable } from '../state/editing';
 import { addedPoints } from '../state/added';
 import type { MarkStep } from '../state/marks';
@@ -191,11 +192,19 @@ function surveyedChoice({ selection }: BlockState, facts: Facts): { point: numbe
   return detail?.id != null && 'ground_control' in detail.id ? { point: detail.id.ground_control, role: detail.role } : null;
 }
 
-function textOf({ draft, adjusting, before, shown }: BlockState): string {
+/** What would say where images show a given point, where nothing does; empty where something does. */
+function unplacedText({ of }: Draft, { shown, options }: BlockState): string {
+  const point = isGiven(of) ? shown?.given.find(({ name }) => name === of.given) : undefined;
+  if (shown === null || point === undefined || point.place !== null || point.images > 0) return '';
+  return say('where-it-lies-is-not-known', { by: shown.view.origin !== null && options.settings?.placing.crs == null ? 'system' : 'points' });
+}
+
+function textOf(state: BlockState): string {
+  const { draft, adjusting, before, shown } = state;
   if (draft !== null) {
     const placed = draft.places.size;
-    const what = draft.of === null ? say('new-point') : isGiven(draft.of) ? draft.of.given : say('point');
-    const more = draft.of === null && placed < 2 ? say('two-images-or-more-are') : '';
+    const what = shown === null ? '' : nameOfDraft(draft, shown.view);
+    const more = draft.of === null && placed < 2 ? say('two-images-or-more-are') : placed === 0 ? unplacedText(draft, state) : '';
     return say('placed-in-press-its-place', { what, placed, more });
   }
   if (adjusting) return say('adjusting-the-block');

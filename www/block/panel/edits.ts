@@ -1,6 +1,7 @@
 import type { BlockStore } from '../engine/engine';
 import { isEditable } from '../state/editing';
 import { editOfChoice, standingOf } from '../state/edits';
+import { withoutLast } from '../state/draft';
 import { addedPoints } from '../state/added';
 import { remember } from '../../shared/state/remember';
 import { nameOfMarks, nameOfStep, namesOf, NO_NAMES } from '../state/naming';
@@ -27,10 +28,10 @@ export function makeEdit(store: BlockStore, edit: BlockEdit | null): void {
   else store.dispatch({ type: 'edit', edits: [edit] });
 }
 
-/** Undoes the last step, or redoes the next. A point that is being measured is given up first. */
+/** Undoes the last step, or redoes the next; of a point that is being measured its latest place is taken back first. */
 export function stepBy(store: BlockStore, by: 1 | -1): void {
   if (store.state.draft !== null) {
-    store.dispatch({ type: 'draft', draft: null });
+    if (by < 0) store.dispatch({ type: 'draft', draft: withoutLast(store.state.draft) });
     return;
   }
   goTo(store, heldAt(store.state, timelineOf(store.state).done + by));

@@ -16,6 +16,9 @@ import { controlText } from '../state/words';
 import { readable } from '../../shared/text/names';
 import { say } from '../../shared/text/words';
 
+/** The coordinate reference system of what is given. */
+const SYSTEM = 'placing.crs';
+
 /** `opener` opens the settings, and says how many were changed. */
 export function mountSettings(host: HTMLElement, store: BlockStore, files: BlockFiles, opener: HTMLElement): void {
   store.watch(['catalogue'], ([catalogue]) => {
@@ -41,7 +44,10 @@ export function mountSettings(host: HTMLElement, store: BlockStore, files: Block
     store.watch(
       (s) => [s.options.settings] as const,
       ([settings]) => {
-        if (settings !== null) sections.show(settings, acting_block_parameters(settings));
+        if (settings === null) return;
+        sections.show(settings, acting_block_parameters(settings));
+        const { crs } = problemsOf(store.state);
+        if (crs !== undefined) sections.controls.find(({ parameter }) => parameter.key === SYSTEM)?.refuse(readable(catalogue.labels, crs));
       },
     );
   });

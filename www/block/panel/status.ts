@@ -11,6 +11,7 @@ import { heightsText, placingAnswer, placingRuns } from './placing-answer';
 import { duration, progressBar, runText } from './progress';
 import { orthophotoText } from '../files/ground';
 import { doubtOf } from '../state/doubt';
+import { lackingText } from '../state/lacking';
 import { collectedOf, waitsForMarks } from '../state/marks';
 import { controlText } from '../state/words';
 import { unplacedFiles } from '../state/placed';
@@ -139,16 +140,22 @@ function offering(state: BlockState, actions: BlockAnswerActions, answer: Answer
 
 /** What can be done with an orthophoto under a finished block: one choice. */
 function offered(state: BlockState, { decide }: BlockAnswerActions): Pick<Answer, 'more' | 'next' | 'others'> {
+  const lies = state.shown?.view.surveyed.some(({ role, isUsed }) => role === 'control' && isUsed) === true;
+  const place = { text: say('place-the-block-on-the'), act: () => decide('block') };
   return {
-    more: [toBePlacedText(state, say('a-block-on-an-orthophoto')), state.placing.heights.kind === 'level' ? heightsText(state) : ''].join(' ').trim(),
-    next: { text: say('place-the-block-on-the'), act: () => decide('block') },
+    more: [
+      lies ? say('control-places-the-block') : toBePlacedText(state, say('a-block-on-an-orthophoto')),
+      state.placing.heights.kind === 'level' ? heightsText(state) : '',
+    ]
+      .join(' ')
+      .trim(),
+    // A block that control points georeference lies where it is to lie: nothing more is to be done with it.
+    ...(lies ? {} : { next: place }),
     others: [
+      ...(lies ? [place] : []),
       { text: say('place-each-image'), act: () => decide('images') },
       // In the block's own system it does not lie there.
-      {
-        text: state.shown?.view.surveyed.some(({ role }) => role === 'control') === true ? say('only-under-the-map') : say('not-now'),
-        act: () => decide('map'),
-      },
+      { text: lies ? say('only-under-the-map') : say('not-now'), act: () => decide('map') },
     ],
   };
 }
@@ -240,7 +247,7 @@ function answered(state: BlockState, shown: Shown, actions: BlockAnswerActions):
       verdict: view.verdict?.kind ?? 'weak',
       text: view.verdict?.text ?? '',
       // Where it lies says more than its counts, which the results have.
-      more: view.orthophoto !== null && isInSystemOf(view) ? view.orthophoto.text : countsOf(shown),
+      more: [view.orthophoto !== null && isInSystemOf(view) ? view.orthophoto.text : countsOf(shown), lackingText(state)].join(' ').trim(),
       figures: figuresOf(view),
       next: sound ? next : why,
     };

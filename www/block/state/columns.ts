@@ -5,6 +5,7 @@ import { maskOf } from '../../shared/state/rows';
 import type { Column, Filter } from '../../shared/state/rows';
 import { imagesOf, keyOfPair, pairsOf, pointsOf } from './selection';
 import type { ViewObservations } from './facts';
+import type { Coordinates } from './marks';
 import type { Choice, Selection, Subject } from './selection';
 import type { Listed } from './state';
 import { unitOf } from './scale';
@@ -111,9 +112,13 @@ function pointRows(view: BlockView): Rows {
   };
 }
 
-function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[]): Rows {
+const NO_COORDINATES: Coordinates = new Map();
+
+function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[], asGiven: Coordinates = NO_COORDINATES): Rows {
   const axes = ['X', 'Y', 'Z'];
-  const areElsewhere = given.some(({ place }) => place === null);
+  const isOther = (position: readonly number[], name: string) => asGiven.get(name)?.some((value, k) => value !== position[k]) === true;
+  const areElsewhere = given.some(({ place, position }) => place === null || place.some((value, k) => value !== position[k]));
+  const areOthers = areElsewhere || surveyed.some(({ position, name }) => isOther(position, name));
   // What was given and is not in the block comes last.
   const beside = (row: number) => given[row - surveyed.length];
   const useText = (row: number) => {
@@ -127,15 +132,22 @@ function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[]): Row
       words('surveyed', say('point'), (i) => surveyed[i]?.name ?? beside(i)?.name ?? '', say('name-of-the-surveyed-point')),
       words('use', say('use'), useText, say('control-points-place-the-block')),
       numbers('surveyed-rays', say('rays-2'), '', 0, (i) => surveyed[i]?.rays ?? NaN, say('image-measurements-that-took-part'), { total: 'sum' }),
+      // Where the block has a system of its own, they stand as the surveyor has them, too.
+      ...(areOthers
+        ? axes.map((axis, k) =>
+            numbers(
+              `given-${axis}`,
+              sayNamed('as-given', { axis }),
+              '',
+              3,
+              (i) => beside(i)?.position[k] ?? asGiven.get(surveyed[i]?.name ?? '')?.[k] ?? NaN,
+              say('in-the-unit-and-the', { axis }),
+            ),
+          )
+        : []),
       ...axes.map((axis, k) =>
         numbers(`surveyed-${axis}`, axis, 'm', 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.place?.[k] ?? NaN, say('surveyed-in-the-system-of', { axis })),
       ),
-      // What nothing leads from to the system of the block stands as it was given.
-      ...(areElsewhere
-        ? axes.map((axis, k) =>
-            numbers(`given-${axis}`, sayNamed('as-given', { axis }), '', 3, (i) => beside(i)?.position[k] ?? NaN, say('in-the-unit-and-the', { axis })),
-          )
-        : []),
       ...axes.map((axis, k) =>
         numbers(`difference-${axis}`, `Δ${axis}`, 'm', 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say('adjusted-minus-surveyed', { axis }), {
           total: 'rms',
@@ -244,8 +256,8 @@ const ofView = { images: remember(imageRows), pairs: remember(pairRows), points:
 const withGiven = remember(surveyedRows);
 
 /** The rows of a table of the block; the same object for the same view, and the same points beside it where it lists them. */
-export function rowsOf(subject: Tabled, { view, given }: Listed): Rows {
-  return subject === 'surveyed' ? withGiven(view, given) : ofView[subject](view);
+export function rowsOf(subject: Tabled, { view, given, asGiven }: Listed): Rows {
+  return subject === 'surveyed' ? withGiven(view, given, asGiven) : ofView[subject](view);
 }
 
 /** What a row is about; null where it is nothing that can be chosen. */

@@ -1,5 +1,9 @@
 /** A point that is measured by hand, before it is accepted. */
 import { roundedPx } from '../../shared/state/pane';
+import { say } from '../../shared/text/words';
+import { indexOfSource } from './edits';
+import type { BlockView } from './view';
+import { nameOfPoint } from './words';
 import type { Position } from '../../shared/state/pane';
 import type { Draft, GivenPoint, Placed } from './edited';
 import type { MarkStep } from './marks';
@@ -15,6 +19,17 @@ export function begun(of: Draft['of']): Draft {
 export function placed(draft: Draft, image: number, [x, y]: Position, { width, height }: { width: number; height: number }, by: Placed['by'] = 'hand'): Draft {
   const at: Position = [roundedPx(Math.min(width, Math.max(0, x))), roundedPx(Math.min(height, Math.max(0, y)))];
   return { ...draft, places: new Map([...draft.places, [image, { at, by }]]) };
+}
+
+/** What the measured point is called. */
+export function nameOfDraft({ of }: Draft, view: BlockView): string {
+  if (of === null) return say('new-point');
+  return isGiven(of) ? of.given : nameOfPoint(view, indexOfSource(view, of));
+}
+
+/** The draft without its latest place; null where it has none. */
+export function withoutLast({ of, places }: Draft): Draft | null {
+  return places.size === 0 ? null : { of, places: new Map([...places].slice(0, -1)) };
 }
 
 export function isGiven(of: Draft['of']): of is GivenPoint {

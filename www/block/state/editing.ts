@@ -2,6 +2,7 @@
 import { remember } from '../../shared/state/remember';
 import { NO_HISTORY, recorded, wentTo } from '../../shared/state/history';
 import type { History } from '../../shared/state/history';
+import { addedPoints } from './added';
 import { placesSetAside } from './aside';
 import { carriedOver, NO_PLACES_AGAIN } from './carrying';
 import type { CarriedOver } from './carrying';
@@ -12,6 +13,7 @@ import type { Names } from './naming';
 import type { Choice } from './selection';
 import { withRemoved } from './removing';
 import { figuresOf, UNEDITED } from './edited';
+import { nameOfDraft, stepOfDraft } from './draft';
 import { awaitedOf, formerOf, nameOfTiePoints, placesBefore, wayBack, withFormer } from './former';
 import type { Awaiting, Former } from './former';
 import type { Draft, Edits } from './edited';
@@ -32,6 +34,8 @@ export type EditsAction =
   /** The block cannot be with all edits: those that it has stay. */
   | { type: 'editRefused'; reason: string }
   | { type: 'draft'; draft: Draft | null }
+  /** What is placed of the point that is measured is taken; `leaves`: the user goes on to something else, so that it is said. */
+  | { type: 'accept'; leaves: boolean }
   /** Measurements of control points are taken, or taken away, or images taken out. */
   | { type: 'mark'; step: MarkStep }
   /** So many of these steps hold. */
@@ -88,10 +92,31 @@ export function reduceEdits(state: BlockState, action: EditsAction): BlockState 
       return withRemoved({ ...state, marks: wentTo(state.marks, action.done), draft: null, notice: afterEdit(state) });
     case 'marks':
       return { ...state, marks: action.marks };
+    case 'accept':
+      return accepted(state, action.leaves);
     case 'draft':
       // What was said of the draft goes with it.
       return { ...state, draft: isEditable(state) ? action.draft : null, notice: action.draft === null && state.notice?.beside === true ? null : state.notice };
   }
+}
+
+/** The state with what is placed of the measured point; where that is too little for a point, it is still measured, or given up by who leaves it. */
+function accepted(state: BlockState, leaves: boolean): BlockState {
+  const { draft, shown, history } = state;
+  if (draft === null || shown === null) return state;
+  const names = shown.view.images.map(({ name }) => name);
+  const step = stepOfDraft(draft, names, history.done, addedPoints(editsInForce(history), shown.view.givenControl));
+  const taken = step === null ? state : reduceEdits(state, step);
+  if (!leaves) return taken;
+  if (taken === state) return { ...state, draft: null };
+  return {
+    ...taken,
+    notice: taken.notice ?? {
+      kind: 'info',
+      text: say('accepted-as-placed', { name: nameOfDraft(draft, shown.view), images: draft.places.size }),
+      beside: true,
+    },
+  };
 }
 
 /** What is under way is still said. */

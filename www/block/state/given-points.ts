@@ -63,6 +63,6 @@ export function givenBeside(view: BlockView, state: Pick<BlockState, 'options' |
 function ofFile(view: BlockView, { options, marks }: Pick<BlockState, 'options' | 'marks'>): readonly ViewGiven[] {
   if (options.control === null) return NONE_GIVEN;
   const { crs = null, geoid_m = null } = options.settings?.placing ?? {};
-  // Of an opened block the settings are not those that it was made with.
+  // Of a block that was opened by an earlier release the settings are not those that it was made with.
   return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? view.geoidM ?? 0), view, options.marks, marks);
 }

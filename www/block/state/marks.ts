@@ -32,6 +32,12 @@ interface Given {
 /** The points of a file; none of one that cannot be read, which is said where it is given. */
 export const pointsOfFile = remember((control: TextFile | null): readonly GroundControlRow[] => readOr(control, parse_ground_control_points));
 
+/** Coordinates of points by their names. */
+export type Coordinates = ReadonlyMap<string, readonly [number, number, number]>;
+
+/** The coordinates of a table, as that has them. */
+export const coordinatesOf = remember((control: TextFile | null): Coordinates => new Map(pointsOfFile(control).map(({ name, position }) => [name, position])));
+
 /** With the names of the images that the file means. */
 const marksOfFile = remember((marks: TextFile | null, images: readonly Named[]): readonly ImageMeasurementRow[] => {
   const names = images.map(({ name }) => name);

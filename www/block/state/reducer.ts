@@ -10,6 +10,7 @@ import { nameOfTiePoints } from './former';
 import { awaitingAgain, carried, carriedToGround, reduceEdits } from './editing';
 import type { EditsAction } from './editing';
 import { givenBeside, NONE_GIVEN } from './given-points';
+import { coordinatesOf } from './marks';
 import { panesInOtherView, reducePanes } from './panes';
 import type { PanesAction } from './panes';
 import type { RestoredBlock } from './kept';
@@ -36,8 +37,8 @@ export type BlockAction =
   | { type: 'ended'; failure: string | null }
   /** The block on the screen in the system of an orthophoto, or as it was before; `edits`: those that it has there. */
   | { type: 'onGround'; view: BlockView; edits: readonly BlockEdit[]; ground: OnGround | null; again?: readonly PlaceAgain[] }
-  /** `edits`: those that it was saved with. */
-  | { type: 'openedFile'; view: BlockView; edits: readonly BlockEdit[] }
+  /** `edits`: those that it was saved with; `options`: those that it was made with. */
+  | { type: 'openedFile'; view: BlockView; edits: readonly BlockEdit[]; options: BlockOptions }
   /** What the browser kept. */
   | { type: 'restored'; restored: RestoredBlock }
   /** Nothing is on the page any more, and all options have their defaults. */
@@ -64,8 +65,9 @@ function withGivenPoints(state: BlockState): BlockState {
   const given = givenBeside(shown.view, state);
   // One that was taken into the block, or is given no longer, is chosen no longer.
   const stays = chosen?.kind !== 'given' || given.some(({ name }) => name === chosen.name);
-  if (given === shown.given && stays) return state;
-  return { ...state, shown: { ...shown, given }, selection: stays ? selection : { ...selection, chosen: null } };
+  const asGiven = coordinatesOf(state.options.control);
+  if (given === shown.given && asGiven === shown.asGiven && stays) return state;
+  return { ...state, shown: { ...shown, given, asGiven }, selection: stays ? selection : { ...selection, chosen: null } };
 }
 
 function reduced(state: BlockState, action: BlockAction): BlockState {
@@ -96,9 +98,10 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
     case 'point':
     case 'filter': {
       const selection = reduceSelection(state.selection, action);
-      // A point that is measured is the chosen one.
-      const draft = action.type === 'choose' && state.draft?.of != null ? null : state.draft;
-      return selection === state.selection ? state : { ...state, selection, draft };
+      if (selection === state.selection) return state;
+      // A point that is measured is the chosen one: what was placed of it is not lost with the choice.
+      const before = action.type === 'choose' && state.draft?.of != null ? reduceEdits(state, { type: 'accept', leaves: true }) : state;
+      return { ...before, selection };
     }
     case 'showImages':
     case 'moveViews':
@@ -114,6 +117,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
     case 'edited':
     case 'editRefused':
     case 'draft':
+    case 'accept':
     case 'mark':
     case 'gotoMark':
     case 'marks':
@@ -151,6 +155,8 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
       return {
         ...state,
         ...blank(state),
+        options: action.options,
+        refused: null,
         panes: panesInOtherView(state.panes, null, action.view),
         ...UNEDITED,
         history: { edits: action.edits.map((edit) => [edit]), done: action.edits.length },

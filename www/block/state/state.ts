@@ -10,7 +10,7 @@ import { NO_PANES } from './panes';
 import type { Panes } from './panes';
 import { NO_PLACING } from './placing';
 import { givenToRun } from './marks';
-import type { MarkStep } from './marks';
+import type { Coordinates, MarkStep } from './marks';
 import { NO_HISTORY } from '../../shared/state/history';
 import type { History } from '../../shared/state/history';
 import type { OnGround, Placing } from './placing';
@@ -74,6 +74,8 @@ export interface Shown {
   view: BlockView;
   /** Control and check points that were given beside those of the view; they change while the view stays the same. */
   given: readonly ViewGiven[];
+  /** Coordinates of control and check points in the unit and the system of their table, by name; absent without one. */
+  asGiven?: Coordinates;
   /** Empty for a block that was opened. */
   files: readonly BlockFile[];
   steps: Steps;
@@ -131,7 +133,7 @@ export const BLOCK_INITIAL: BlockState = {
 };
 
 /** A block with the points that were given beside it: what its tables list. */
-export type Listed = Pick<Shown, 'view' | 'given'>;
+export type Listed = Pick<Shown, 'view' | 'given' | 'asGiven'>;
 
 /** Names what a run of the present files and options would be made from. */
 export function wantedKey(state: Pick<BlockState, 'files' | 'options' | 'marks' | 'shown' | 'placing'>): string {

@@ -5,7 +5,7 @@ import { Cancelled } from '../../../shared/engine/client';
 import type { BlockEngine, BlockStore } from '../../engine/engine';
 import type { Facts } from '../../engine/facts';
 import type { Turn } from '../../engine/match';
-import { begun, isGiven, placed, stepOfDraft } from '../../state/draft';
+import { begun, isGiven, placed } from '../../state/draft';
 import type { Draft } from '../../state/edited';
 import { editsInForce, isEditable } from '../../state/editing';
 import { indexOfSource, sourceOf } from '../../state/edits';
@@ -45,7 +45,7 @@ export class Measuring {
   toggle(anew: boolean): void {
     const { state } = this.store;
     if (state.draft !== null || !isEditable(state) || state.shown === null) {
-      this.set(null);
+      this.store.dispatch({ type: 'accept', leaves: true });
       return;
     }
     const { chosen } = state.selection;
@@ -146,10 +146,7 @@ export class Measuring {
   }
 
   accept(): void {
-    const { draft, shown, history } = this.store.state;
-    const names = shown?.view.images.map(({ name }) => name) ?? [];
-    const step = draft === null ? null : stepOfDraft(draft, names, history.done, this.added());
-    if (step !== null) this.store.dispatch(step);
+    this.store.dispatch({ type: 'accept', leaves: false });
   }
 
   /** Gives the measured point up; false where none is measured. */

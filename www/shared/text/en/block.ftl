@@ -56,6 +56,26 @@ the-block-cannot-be-run-with = { $problem } The block cannot be run with them.
 open-the-other-project = Open the other project
 the-former-block-stays-under = {" "}The former block stays under Projects.
 was-opened-the-file-does = { $name } was opened. The file does not hold its images: drop them too to open pairs.{ $former }
+a-run-needs-files = A new run needs { $files ->
+        [one] a file
+       *[other] { $files } files
+    } that the project file does not hold: give { $files ->
+        [one] it
+       *[other] them
+    } again under Files in the settings, or remove { $files ->
+        [one] it
+       *[other] them
+    } there.
+a-run-needs-its-orthophoto = A new run needs the orthophoto again, which the project file does not hold: without it the new block does not lie on it.
+masks-are-not-in-the-file = { $masks ->
+        [one] the mask { $name } is not in the project file: give it
+       *[other] { $masks } masks, as { $name }, are not in the project file: give them
+    } again, or remove { $masks ->
+        [one] it
+       *[other] them
+    } to run the block without.
+system-cannot-be-read = it cannot be read. Allowed: an EPSG code (EPSG:25832), PROJ text (+proj=utm +zone=32) or WKT
+geoid-is-not-in-the-file = the geoid { $name } is not in the project file: give it again, or remove it to run the block without.
 keeping-the-pair = Keeping the pair …
 open-the-pair-of-the-block = Open the pair of the block
 keeping-the-edited-block = Keeping the edited block …
@@ -197,6 +217,14 @@ control-point = control point
 check-point = check point
 not-used = not used
 new-point = New point
+where-it-lies-is-not-known = {" "}{ $by ->
+        [system] Where images show it is not known: with the coordinate system of the control points in the settings (“Coordinate system”), points open where they are expected.
+       *[points] Where images show it is not known: once it is placed in two images, it is expected in the others where their epipolar lines cross.
+    }
+accepted-as-placed = { $name } was accepted as it was placed in { $images ->
+        [one] 1 image
+       *[other] { $images } images
+    }; ↶ takes it back.
 two-images-or-more-are = {" "}Two images or more are needed.
 placed-in-press-its-place = { $what }: placed in { $placed } { $placed ->
         [one] image
@@ -613,9 +641,9 @@ of-tried = { COUNT($connected) } of { COUNT($connections) } tried
 pairs-with-enough-matches-that = Pairs with enough matches that agree with one geometry.
 verified-matches-of-all-connected = Verified matches of all connected pairs.
 check-points-rmse = Check points, RMSE
-predicted = : { FIXED($ratio, digits: 2) } of their standard errors
+predicted = , { FIXED($ratio, digits: 2) } times the predicted standard errors
 m-points = { $join } m, { COUNT($points) } points{ $what }
-root-mean-square-difference-of = Root mean square difference of x, y, z between adjusted and given coordinates of the check points, which took no part, in m along the axes of the coordinate system of the results; then the same in predicted standard errors, about 1 where these hold.
+root-mean-square-difference-of = Root mean square difference of x, y, z between adjusted and given coordinates of the check points, whose coordinates took no part (their image measurements did, as those of tie points), in m along the axes of the coordinate system of the results; then the same divided by the predicted standard errors, about 1 where these hold.
 images-oriented-3 = Images oriented
 of-4 = { COUNT($oriented) } of { COUNT($images) }
 images-with-an-exterior-orientation = Images with an exterior orientation: position and attitude in object space.
@@ -666,7 +694,7 @@ wait-for-run = Wait for Run
 images-that-are-given-wait = Images that are given wait until Run is pressed, so that settings and files come first. Otherwise they run at once.
 from-exif-a-json-file = From EXIF. A JSON file overrides it: { $example }, with principal_point_px, radial, tangential, fixed where known.
 none-two-files-georeference-the = None. Ground control points (name, x, y, z, optionally two standard errors) georeference the block with their image measurements (image, point, column, row), one per line. Without a file of these, measure the points in the images.
-none-positions-of-images = None. GNSS positions of images (image, longitude, latitude and height above the ellipsoid or, in the coordinate system above, x, y and height; optionally two standard errors) take the place of those that the files record. A first line names the columns.
+none-positions-of-images = None. GNSS positions of images (image, longitude, latitude and height above the ellipsoid or, in the coordinate system that is set below, x, y and height; optionally two standard errors) take the place of those that the files record. A first line names the columns.
 none-images-of-the-same = None. Images of the same size, black where no features are detected; IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png is the mask of IMG_1.jpg.
 masks = Masks
 none-a-file-from-which = None. The geoid to which heights of the coordinate system refer: a GeoTIFF of longitudes and latitudes, GTX (which can be dropped), or PGM of GeographicLib.
@@ -711,6 +739,7 @@ images-or-settings-have-changed = Images or settings have changed: press Run.
 open-the-images-of-a = Open the images of a block: files, a folder, or a simulated block.
 photos-oriented = photos oriented
 points-on-several-photos = points on several photos
+control-places-the-block = The block lies where its control points place it. It can be placed on the orthophoto, too.
 a-block-on-an-orthophoto = The block can be placed on it: it then lies in its system, without a control point.
 place-the-block-on-the = Place the block on the orthophoto
 place-each-image = Place each image by itself
@@ -770,7 +799,7 @@ control-points-place-the-block = Control points place the block; check points ju
 image-measurements-that-took-part = Image measurements that took part.
 surveyed-in-the-system-of = Surveyed { $axis }, in the system of the block.
 as-given = { $axis } as given
-in-the-unit-and-the = { $axis } as the file gives it, in its unit and system: nothing leads from there to the system of the block.
+in-the-unit-and-the = { $axis } as the file gives it, in its unit and system.
 adjusted-minus-surveyed = Adjusted minus surveyed { $axis }.
 standard-error-of = Standard error of Δ{ $axis }.
 difference-left-out = Δ{ $axis } left out

@@ -219,12 +219,12 @@ rejected-by = Rejected by
 of-these-measured-by-hand = of these, measured by hand
 show-2 = Show: { $own }
 matches-against-the-truth = Matches against the truth
-right-matches = Right
+right-matches = Correct
 within-1-5-px-of = Within 1.5 px of where the surface at the left pixel, or at one of its 8 neighbours, is seen: points lie on edges, where the surface may jump between two pixels.
-strictly-right = Strictly right
+strictly-right = Strictly correct
 within-1-5-px-of-where = Within 1.5 px of where the surface at the left pixel itself is seen.
 missed = Missed
-left-points-that-are-visible = Left points that are visible in the right image and have no right match.
+left-points-that-are-visible = Left points that are visible in the right image and have no correct match.
 
 ## panel/draft
 

@@ -1,0 +1,119 @@
+/** The project file of a block that is opened elsewhere: what it holds is what the settings show and the next run takes; what it does not hold is said before that. */
+
+import assert from 'node:assert/strict';
+import { rmSync } from 'node:fs';
+import { test } from 'node:test';
+import { BlockScene, geographic_positions, system_coordinates } from '../../pkg/node.js';
+import { block, FLIGHT, photos, status, surveyedFolder } from './blocks.js';
+import { hosted, part, saved, says, SKIP, upload } from './page.js';
+import { flatGeoid } from './georeferenced.js';
+
+hosted('/opened-block/');
+
+const CRS = 'EPSG:32632';
+const GEOID_M = 47;
+
+/** @param {string} text */
+const bytesOf = (text) => new TextEncoder().encode(text);
+
+/** The table of points in a coordinate system, with heights above a geoid.  @param {string} table */
+function inSystem(table) {
+  const scene = new BlockScene(FLIGHT);
+  const { origin } = scene.truth();
+  scene.free();
+  assert.ok(origin);
+  const [head = '', ...rows] = table.trim().split('\n');
+  const placed = rows.map((row) => {
+    const [name, x, y, z, use] = row.split(',');
+    const geographic = geographic_positions([origin.longitude_deg, origin.latitude_deg, origin.height_m, Number(x), Number(y), Number(z)]);
+    const [east = NaN, north = NaN, up = NaN] = system_coordinates(CRS, geographic.slice(-3));
+    return [name, east.toFixed(4), north.toFixed(4), (up - GEOID_M).toFixed(4), use].join(',');
+  });
+  return `${[head, ...placed].join('\n')}\n`;
+}
+
+/** @param {import('playwright-core').Page} page @param {string} given @param {string} name @param {Uint8Array} content */
+const give = (page, given, name, content) => part(page, `block-${given}-input`).setInputFiles(upload(name, content));
+
+/** The rows of control and check points.  @param {import('playwright-core').Page} page */
+async function surveyed(page) {
+  await part(page, 'tab-block-surveyed').click();
+  await says(page, 'block-surveyed', /G2/u);
+  return page.locator('[data-testid="block-surveyed"] tbody tr:not(.filler)').allTextContents();
+}
+
+/** What *Project file* saves.  @param {import('playwright-core').Page} page */
+async function savedProject(page) {
+  await part(page, 'block-export-kind').selectOption('project');
+  return saved(page, 'block-export');
+}
+
+test('an opened project file has its control points, measurements, system, geoid, cameras and settings, and a new run takes them', {
+  skip: SKIP,
+}, async () => {
+  const { folder, points, marks } = surveyedFolder();
+  rmSync(folder, { recursive: true });
+  const first = await block();
+  await photos(first.page);
+  const field = (/** @type {import('playwright-core').Page} */ page, /** @type {string} */ key) => page.locator(`input[data-key="${key}"]`).first();
+  await field(first.page, 'placing.crs').fill(CRS);
+  await field(first.page, 'placing.mark_sigma_px').fill('0.7');
+  await field(first.page, 'placing.mark_sigma_px').blur();
+  await give(first.page, 'geoid', 'flat.gtx', flatGeoid());
+  await give(first.page, 'control', 'points.csv', bytesOf(inSystem(points)));
+  await give(first.page, 'marks', 'marks.csv', bytesOf(marks));
+  await give(first.page, 'cameras', 'cameras.json', bytesOf('{"cameras": [{"images": "*", "focal_px": 566.7}]}'));
+  await part(first.page, 'block-run').click();
+  const before = (await status(first.page, /^(Oriented|Weak orientation): /)).replace(/\d+(?:\.\d+)? s\b/u, '');
+  const rows = await surveyed(first.page);
+  // The surveyor's own coordinates stand before those of the block.
+  assert.match(rows.find((row) => row.startsWith('G2')) ?? '', /^G2control5428.?483\.1985.?539.?105\.775/u);
+  const project = await savedProject(first.page);
+  assert.deepEqual(first.complaints, []);
+  await first.close();
+
+  const { page, complaints, close } = await block();
+  await part(page, 'block-files-input').setInputFiles(upload('survey.tiepoint', project));
+  await status(page, /survey\.tiepoint was opened/);
+  for (const given of ['control', 'marks', 'cameras']) await says(page, `block-${given}-name`, /^survey\.tiepoint$/);
+  await says(page, 'block-geoid-name', /^flat\.gtx$/);
+  assert.equal(await field(page, 'placing.crs').inputValue(), CRS);
+  assert.equal(await field(page, 'placing.mark_sigma_px').inputValue(), '0.7');
+  assert.deepEqual(await surveyed(page), rows);
+  await photos(page, FLIGHT, /All images of the block are there/);
+  await part(page, 'block-run').click();
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-status"]')?.getAttribute('data-kind') === 'busy');
+  const after = (await status(page, /^(Oriented|Weak orientation): /)).replace(/\d+(?:\.\d+)? s\b/u, '');
+  assert.equal(after, before);
+  assert.deepEqual(await surveyed(page), rows);
+  assert.match((await part(page, 'block-remarks').textContent()) ?? '', /heights count from the geoid of flat\.gtx/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('masks that an opened project file names and does not hold are asked for before a run', { skip: SKIP }, async () => {
+  const first = await block();
+  await photos(first.page);
+  const mask = Buffer.concat([Buffer.from(`P5\n${FLIGHT.width_px} ${FLIGHT.height_px}\n255\n`), Buffer.alloc(FLIGHT.width_px * FLIGHT.height_px, 255)]);
+  await give(first.page, 'masks', 'photo_00001.pgm', mask);
+  await says(first.page, 'block-masks-problem', /^$/);
+  await part(first.page, 'block-run').click();
+  await status(first.page, /^(Oriented|Weak orientation): /);
+  const project = await savedProject(first.page);
+  await first.close();
+
+  const { page, complaints, close } = await block();
+  await part(page, 'block-files-input').setInputFiles(upload('masked.tiepoint', project));
+  await status(page, /A new run needs a file that the project file does not hold: give it again under Files in the settings, or remove it there\./);
+  await says(page, 'block-masks-name', /^photo_00001\.pgm$/);
+  await says(page, 'block-masks-problem', /^the mask photo_00001\.pgm is not in the project file/);
+  await photos(page, FLIGHT, /All images of the block are there/);
+  await part(page, 'block-run').click();
+  await status(page, /Not run: [Tt]he mask photo_00001\.pgm is not in the project file: give it again, or remove it to run the block without\./);
+  await give(page, 'masks', 'photo_00001.pgm', mask);
+  await says(page, 'block-masks-problem', /^$/);
+  await part(page, 'block-run').click();
+  await status(page, /^(Oriented|Weak orientation): /);
+  assert.deepEqual(complaints, []);
+  await close();
+});
