@@ -1,7 +1,7 @@
 /** The orthophoto of a simulated block in a coordinate reference system, as other programs give it: for tests of the page. */
 
 import assert from 'node:assert/strict';
-import { geographic_positions, grey_png, OrthophotoReference, system_coordinates } from '../../pkg/node.js';
+import { BlockScene, geographic_positions, grey_png, OrthophotoReference, system_coordinates } from '../../pkg/node.js';
 
 /** @typedef {[number, number, number, number, number, number]} Affine columns and rows become (a c + b r + x, d c + e r + y): a, b, x, d, e, y */
 
@@ -104,4 +104,23 @@ export function flatGeoid() {
   for (const [k, value] of [rows, columns].entries()) file.writeInt32BE(value, 32 + 4 * k);
   for (let k = 0; k < rows * columns; k += 1) file.writeFloatBE(47, 40 + 4 * k);
   return new Uint8Array(file);
+}
+
+/**
+ * A table of control points of a simulated block in a coordinate system, with heights above a geoid that lies so high above the ellipsoid.
+ * @param {string} table @param {object} flight @param {string} crs @param {number} geoidM
+ */
+export function pointsInSystem(table, flight, crs, geoidM) {
+  const scene = new BlockScene(flight);
+  const { origin } = scene.truth();
+  scene.free();
+  assert.ok(origin);
+  const [head = '', ...rows] = table.trim().split('\n');
+  const placed = rows.map((row) => {
+    const [name, x, y, z, use] = row.split(',');
+    const geographic = geographic_positions([origin.longitude_deg, origin.latitude_deg, origin.height_m, Number(x), Number(y), Number(z)]);
+    const [east = NaN, north = NaN, up = NaN] = system_coordinates(crs, geographic.slice(-3));
+    return [name, east.toFixed(4), north.toFixed(4), (up - geoidM).toFixed(4), use].join(',');
+  });
+  return `${[head, ...placed].join('\n')}\n`;
 }

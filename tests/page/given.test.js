@@ -67,6 +67,36 @@ test('files are read when they are given, and told by name', { skip: SKIP }, asy
   await close();
 });
 
+test('a coordinate system that cannot be read is told at its field, and no table is to blame for it', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  const folder = photoFolder(2);
+  await part(page, 'block-folder-input').setInputFiles(folder);
+  await status(page, /^2 images/);
+  await give(page, 'control', 'points.csv', POINTS);
+  await give(page, 'marks', 'marks.csv', marksIn(['photo_0.png', 'photo_1.png']));
+  const field = page.locator('input[data-key="placing.crs"]').first();
+  const problem = page.locator('[id="p-placing-crs-problem"]').first();
+  for (const [typed, told] of /** @type {const} */ ([
+    ['UTM 32N', /it cannot be read\. Allowed: an EPSG code \(EPSG:25832\), PROJ text \(\+proj=utm \+zone=32\) or WKT/],
+    ['EPSG:99999', /got EPSG:99999, a code that is unknown here/],
+  ])) {
+    await field.fill(typed);
+    await field.blur();
+    await until(page, `${typed} is refused`, async () => told.test((await problem.textContent()) ?? ''));
+    assert.equal(await field.getAttribute('aria-invalid'), 'true');
+    await says(page, 'block-marks-problem', /^$/);
+    await part(page, 'block-run').click();
+    await status(page, /^Not run: “Coordinate system”: /);
+    assert.equal(await part(page, 'block-next').textContent(), 'Open “Coordinate system”');
+  }
+  await field.fill('EPSG:25832');
+  await field.blur();
+  await until(page, 'it is read', async () => (await problem.textContent()) === '');
+  rmSync(folder, { recursive: true });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('cameras that are of no image are told: all of them at once, one beside others with the block', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block();
   const folder = photoFolder(2);

@@ -159,6 +159,9 @@ test('a finished block is placed when the user says so; an orthophoto of elsewhe
   assert.equal(await part(page, 'block-answer').getAttribute('data-verdict'), 'weak');
   assert.deepEqual(await centres(page), own);
   assert.match((await part(page, 'block-on-orthophoto').textContent()) ?? '', /as it was without it/);
+  // Each image with what was found of it.
+  const found = (await part(page, 'block-on-orthophoto').locator('li').allTextContents()).join(' ');
+  for (const number of [0, 5]) assert.match(found, new RegExp(`photo_0000${number}\\.png[^:]*: .*not placed`, 'iu'));
   await part(page, 'block-off-ground').click();
   const off = await status(page, /^Oriented: /);
   assert.equal(off, before);

@@ -3,34 +3,19 @@
 import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { test } from 'node:test';
-import { BlockScene, geographic_positions, system_coordinates } from '../../pkg/node.js';
 import { block, FLIGHT, photos, status, surveyedFolder } from './blocks.js';
 import { hosted, part, saved, says, SKIP, upload } from './page.js';
-import { flatGeoid } from './georeferenced.js';
+import { flatGeoid, pointsInSystem } from './georeferenced.js';
+import { blockGround } from './rendered.js';
 
 hosted('/opened-block/');
 
 const CRS = 'EPSG:32632';
+/** Of the flat geoid. */
 const GEOID_M = 47;
 
 /** @param {string} text */
 const bytesOf = (text) => new TextEncoder().encode(text);
-
-/** The table of points in a coordinate system, with heights above a geoid.  @param {string} table */
-function inSystem(table) {
-  const scene = new BlockScene(FLIGHT);
-  const { origin } = scene.truth();
-  scene.free();
-  assert.ok(origin);
-  const [head = '', ...rows] = table.trim().split('\n');
-  const placed = rows.map((row) => {
-    const [name, x, y, z, use] = row.split(',');
-    const geographic = geographic_positions([origin.longitude_deg, origin.latitude_deg, origin.height_m, Number(x), Number(y), Number(z)]);
-    const [east = NaN, north = NaN, up = NaN] = system_coordinates(CRS, geographic.slice(-3));
-    return [name, east.toFixed(4), north.toFixed(4), (up - GEOID_M).toFixed(4), use].join(',');
-  });
-  return `${[head, ...placed].join('\n')}\n`;
-}
 
 /** @param {import('playwright-core').Page} page @param {string} given @param {string} name @param {Uint8Array} content */
 const give = (page, given, name, content) => part(page, `block-${given}-input`).setInputFiles(upload(name, content));
@@ -60,7 +45,7 @@ test('an opened project file has its control points, measurements, system, geoid
   await field(first.page, 'placing.mark_sigma_px').fill('0.7');
   await field(first.page, 'placing.mark_sigma_px').blur();
   await give(first.page, 'geoid', 'flat.gtx', flatGeoid());
-  await give(first.page, 'control', 'points.csv', bytesOf(inSystem(points)));
+  await give(first.page, 'control', 'points.csv', bytesOf(pointsInSystem(points, FLIGHT, CRS, GEOID_M)));
   await give(first.page, 'marks', 'marks.csv', bytesOf(marks));
   await give(first.page, 'cameras', 'cameras.json', bytesOf('{"cameras": [{"images": "*", "focal_px": 566.7}]}'));
   await part(first.page, 'block-run').click();
@@ -87,6 +72,13 @@ test('an opened project file has its control points, measurements, system, geoid
   assert.equal(after, before);
   assert.deepEqual(await surveyed(page), rows);
   assert.match((await part(page, 'block-remarks').textContent()) ?? '', /heights count from the geoid of flat\.gtx/);
+  // Control points georeference it: an orthophoto is no next step, and can be one.
+  const [, picture] = blockGround(FLIGHT, 1);
+  assert.ok(picture);
+  await part(page, 'block-files-input').setInputFiles(upload('ground.tif', picture.bytes, 'image/tiff'));
+  await status(page, /The block lies where its control points place it\./);
+  assert.equal(await part(page, 'block-next').textContent(), 'Save the project');
+  assert.equal(await part(page, 'block-other-1').textContent(), 'Place the block on the orthophoto');
   assert.deepEqual(complaints, []);
   await close();
 });

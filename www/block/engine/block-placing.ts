@@ -3,6 +3,7 @@ import { Cancelled, WorkerClient } from '../../shared/engine/client';
 import { say } from '../../shared/text/words';
 import { awaitedOf } from '../state/former';
 import { groundKey } from '../state/purpose';
+import type { ImageVerdict } from '../state/placing';
 import { imagesOfBlock } from '../state/state';
 import type { BlockCalls } from './calls';
 import type { BlockEngine, BlockStore } from './engine';
@@ -30,14 +31,14 @@ export class BlockPlacing {
     try {
       this.placing.release();
       const before = shown.ground?.before ?? (await this.engine.project());
-      const linked = await this.linked({ project: before, ground, options: placing.options });
-      const read = await this.engine.read(linked, this.store.state.truth);
+      const { project, verdicts } = await this.linked({ project: before, ground, options: placing.options });
+      const read = await this.engine.read(project, this.store.state.truth);
       const awaited = awaitedOf(this.store.state);
       const [places, again] = [await read.places(), await read.placesAgain(awaited?.spots ?? null)];
       // Another block came meanwhile.
       if (this.stopped || this.store.state.shown?.found !== shown.found) return false;
       read.hold();
-      this.store.dispatch({ type: 'onGround', view: read.view, edits: read.edits, ground: { key, before, places }, again });
+      this.store.dispatch({ type: 'onGround', view: read.view, edits: read.edits, ground: { key, before, places, verdicts }, again });
       return true;
     } catch (error) {
       if (this.stopped || error instanceof Cancelled) return false;
@@ -64,20 +65,22 @@ export class BlockPlacing {
     this.worker.cancel();
   }
 
-  /** The project file of the placed block. */
-  private async linked(input: BlockCalls['linksOpen']['input']): Promise<Uint8Array> {
+  /** The project file of the placed block, and what came of each image. */
+  private async linked(input: BlockCalls['linksOpen']['input']): Promise<{ project: Uint8Array; verdicts: ImageVerdict[] }> {
     const names = await this.worker.call('linksOpen', input);
     const files = new Map(imagesOfBlock(this.store.state).map(({ name, file }) => [name, file]));
     const images = names.flatMap((name, index) => {
       const file = name === null ? undefined : files.get(name);
       return name === null || file === undefined ? [] : [{ name, index, file }];
     });
+    const verdicts: ImageVerdict[] = [];
     for (const [done, { name, index, file }] of images.entries()) {
       this.tell(done, images.length, say('placing-on-the-orthophoto', { name }));
-      await this.worker.call('linksPlace', { index, file });
+      const verdict = await this.worker.call('linksPlace', { index, file });
+      if (verdict !== null) verdicts.push({ name, verdict });
     }
     this.tell(1, 1, say('adjusting-by-the-orthophoto'));
-    return this.worker.call('linksFinish', null);
+    return { project: await this.worker.call('linksFinish', null), verdicts };
   }
 
   private tell(done: number, total: number, text: string): void {

@@ -14,7 +14,7 @@ import { NONE_GIVEN } from '../state/given-points';
 import type { BlockCatalogue, BlockFile, BlockState, Shown, TextFile } from '../state/state';
 import type { EditStep } from '../state/edits';
 import type { Former } from '../state/former';
-import type { OnGround } from '../state/placing';
+import type { ImageVerdict, OnGround } from '../state/placing';
 import { bytesOfMarks, bytesOfStep, markStepFrom, stepFrom } from './edit';
 import { withPresentKeys } from './earlier-keys';
 import { passIds } from './ids';
@@ -212,13 +212,18 @@ function theSame(edits: readonly BlockEdit[], history: readonly BlockEdit[]): re
 
 /** @throws Error naming the field that is damaged */
 function groundFrom(value: unknown): OnGround {
-  const { key, before, places } = objectOf(value, 'shown.ground');
+  const { key, before, places, verdicts } = objectOf(value, 'shown.ground');
   if (!(before instanceof Blob)) throw new Error(say('the-finished-block-is-damaged'));
   return {
     key: likeOf(key, '', 'shown.ground.key'),
     before,
     // Earlier releases kept none.
     places: orNull(places ?? null, (own) => placesFrom(own, 'shown.ground.places')),
+    verdicts: listOf(verdicts ?? [], 'shown.ground.verdicts', (one, name) => {
+      const { name: image, verdict } = objectOf(one, name);
+      // The crate says what it says.
+      return { name: likeOf(image, '', `${name}.name`), verdict: objectOf(verdict, `${name}.verdict`) as unknown as ImageVerdict['verdict'] };
+    }),
   };
 }
 

@@ -18,6 +18,7 @@ import { matchesOf } from '../state/words';
 import { heightsText } from './placing-answer';
 import { verdictText } from './placing-words';
 import { say } from '../../shared/text/words';
+import { message } from '../../shared/text/messages';
 
 /** Reasons listed one by one; the others are in the table of images. */
 const LISTED = 50;
@@ -67,6 +68,9 @@ function onGround(shown: Shown, off: HTMLElement, written: (text: string) => str
     'block-on-orthophoto',
     h('p', {}, written(view.orthophoto.text)),
     ground === null ? null : h('p', { class: 'buttons' }, off),
+    ground === null || ground.verdicts.length === 0
+      ? null
+      : reasons(ground.verdicts.map(({ name, verdict }) => ({ name, reason: written(message('placing_verdict', verdict)) }))),
   );
 }
 

@@ -140,7 +140,7 @@ function offering(state: BlockState, actions: BlockAnswerActions, answer: Answer
 
 /** What can be done with an orthophoto under a finished block: one choice. */
 function offered(state: BlockState, { decide }: BlockAnswerActions): Pick<Answer, 'more' | 'next' | 'others'> {
-  const lies = state.shown?.view.surveyed.some(({ role, isUsed }) => role === 'control' && isUsed) === true;
+  const lies = !isHeldByHand(state) && state.shown?.view.surveyed.some(({ role, isUsed }) => role === 'control' && isUsed) === true;
   const place = { text: say('place-the-block-on-the'), act: () => decide('block') };
   return {
     more: [

@@ -1,5 +1,5 @@
 /** Images on an orthophoto: what was given for them, what came of it, and what of it is looked at. */
-import type { BlockPlaces, LinkUse, OrthophotoInfo, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockPlaces, LinkUse, OrthophotoInfo, PlacingOptions, PlacingVerdict } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockFile, TextFile } from './file';
 import { NO_FILM } from './film';
 import type { GivenFilm } from './film';
@@ -32,6 +32,14 @@ export interface OnGround {
   before: Blob;
   /** Where images show its places of the orthophoto as it was found; null where an earlier release did not keep it. */
   places: BlockPlaces | null;
+  /** What came of each image that was sought on it. */
+  verdicts: readonly ImageVerdict[];
+}
+
+/** What came of an image of a block on the orthophoto. */
+export interface ImageVerdict {
+  name: string;
+  verdict: PlacingVerdict;
 }
 
 /** What came of an image. */

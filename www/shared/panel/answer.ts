@@ -51,8 +51,11 @@ export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLEl
     more.setAttribute('aria-expanded', String(open));
   };
   const scrolled = new ResizeObserver((entries) => {
-    for (const { target } of entries) if (target !== line) byKeys(target);
-    const isCut = [host, ...line.children].some(({ clientHeight, scrollHeight }) => clientHeight > 0 && scrollHeight > clientHeight + 1);
+    for (const { target } of entries) {
+      if (target !== line || getComputedStyle(line).overflowY !== 'visible') byKeys(target);
+      else line.removeAttribute('tabindex');
+    }
+    const isCut = [host, line, ...line.children].some(({ clientHeight, scrollHeight }) => clientHeight > 0 && scrollHeight > clientHeight + 1);
     more.hidden = !host.classList.contains('is-open') && !isCut;
   });
   more.hidden = true;

@@ -35,6 +35,9 @@ import { MOST_THUMBS, Thumbs } from './thumbs';
 import { asSentence } from '../../../shared/text/direction';
 import { say } from '../../../shared/text/words';
 
+/** What stands between two parts of the legend. */
+const BETWEEN = '; ';
+
 export class BlockMap extends Chart {
   private readonly thumbs = new Thumbs(() => this.layers.redraw());
   private readonly bitmap = new PointBitmap();
@@ -258,8 +261,12 @@ export class BlockMap extends Chart {
     if (parts.length === 0) return;
     context.font = '11px system-ui, sans-serif';
     context.textAlign = 'start';
-    const text = say('drawn-longer', { parts: parts.join('; '), factor });
-    haloed(context, colours, asSentence(text.charAt(0).toUpperCase() + text.slice(1)), 12, this.layers.height - 38);
+    const text = say('drawn-longer', { parts: parts.join(BETWEEN), factor });
+    const whole = text.charAt(0).toUpperCase() + text.slice(1);
+    const { width, height } = this.layers;
+    // On a phone it stands in lines: a figure that is cut reads as another one.
+    const lines = context.measureText(whole).width <= width - 24 ? [whole] : whole.split(BETWEEN);
+    for (const [i, line] of lines.reverse().entries()) haloed(context, colours, asSentence(line), 12, height - 38 - 14 * i);
   }
 
   private paintOutline(context: CanvasRenderingContext2D, colours: Colours): void {
