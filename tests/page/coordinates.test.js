@@ -5,7 +5,7 @@ import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { block, FLIGHT, status, surveyedFolder } from './blocks.js';
-import { enabled, hosted, part, says, SHOTS, SKIP, upload } from './page.js';
+import { enabled, hosted, part, saved, says, SHOTS, SKIP, upload } from './page.js';
 
 hosted('/coordinates/');
 
@@ -91,6 +91,10 @@ test('coordinates alone are taken; three points measured in two images each, wit
     await useIs(page, name, /^control · not measured$/u);
     await part(page, 'block-redo').click();
     await useIs(page, name, /^control · measured in 2 images$/u);
+    // It is no part of the block, and of its project file.
+    await part(page, 'block-export-kind').selectOption('project');
+    await saved(page, 'block-export');
+    await status(page, /was saved\. 1 measured point is not in the block, nor in the file/);
     await page.waitForTimeout(1500);
     await page.reload();
     await status(page, /take no part yet: 1 is measured/);

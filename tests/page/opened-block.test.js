@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { test } from 'node:test';
 import { block, FLIGHT, photos, status, surveyedFolder } from './blocks.js';
-import { hosted, part, saved, says, SKIP, upload } from './page.js';
+import { hosted, part, partsNamed, saved, says, SKIP, until, upload } from './page.js';
 import { flatGeoid, pointsInSystem } from './georeferenced.js';
 import { blockGround } from './rendered.js';
 
@@ -66,6 +66,15 @@ test('an opened project file has its control points, measurements, system, geoid
   assert.equal(await field(page, 'placing.mark_sigma_px').inputValue(), '0.7');
   assert.deepEqual(await surveyed(page), rows);
   await photos(page, FLIGHT, /All images of the block are there/);
+  // What is changed is of the next run; after a reload, too, nothing else is.
+  await field(page, 'placing.mark_sigma_px').fill('0.8');
+  await status(page, /Images or settings have changed: press Run\./);
+  await field(page, 'placing.mark_sigma_px').fill('0.7');
+  await status(page, /^(Oriented|Weak orientation): /);
+  await until(page, 'the block is kept', async () => (await partsNamed(page, 'block/shown')) > 0);
+  await page.waitForTimeout(1500);
+  await page.reload();
+  await status(page, /^(Oriented|Weak orientation): .*Restored from this browser/);
   await part(page, 'block-run').click();
   await page.waitForFunction(() => document.querySelector('[data-testid="block-status"]')?.getAttribute('data-kind') === 'busy');
   const after = (await status(page, /^(Oriented|Weak orientation): /)).replace(/\d+(?:\.\d+)? s\b/u, '');

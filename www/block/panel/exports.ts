@@ -7,6 +7,7 @@ import type { ExportKind } from '../engine/calls';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
 import { editsInForce, isSameList } from '../state/editing';
+import { pendingPoints } from '../state/given-points';
 import { isBusy } from '../state/state';
 import { saveMosaic } from './mosaic';
 import { say } from '../../shared/text/words';
@@ -79,7 +80,9 @@ export async function saveAs(store: BlockStore, engine: BlockEngine, kind: Expor
   try {
     const { name, type, bytes } = await engine.export(kind, 'block');
     save(new Blob([bytes], { type }), name);
-    store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('was-saved', { name }), beside: true } });
+    const pending = kind === 'project' || kind === 'everything' ? pendingPoints(store.state) : 0;
+    const text = [say('was-saved', { name }), pending === 0 ? '' : say('measured-points-are-not-in-it', { points: pending })].join(' ').trimEnd();
+    store.dispatch({ type: 'notice', notice: { kind: 'info', text, beside: true } });
   } catch (error) {
     if (error instanceof Cancelled) {
       store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('cancelled-nothing-was-saved-the'), beside: true } });

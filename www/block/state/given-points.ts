@@ -5,10 +5,11 @@ import type { TextFile } from './file';
 import { editsInForce } from './editing';
 import { standingOf } from './edits';
 import { inSystemOfBlock } from './in-common';
-import { allMarks, pointsOfFile } from './marks';
+import { allMarks, pointsOfFile, waitsForMarks } from './marks';
 import type { MarkStep } from './marks';
 import { addedPoints } from './added';
 import type { AddedPoint } from './added';
+import { isOutdated } from './state';
 import type { BlockState } from './state';
 import type { BlockView, ViewGiven } from './view';
 
@@ -58,6 +59,12 @@ export function givenBeside(view: BlockView, state: Pick<BlockState, 'options' |
   if (view.partial) return NONE_GIVEN;
   const edits = editsInForce(state.history);
   return together(ofFile(view, state), added(view, addedPoints(edits, view.givenControl), standingOf(edits).unused));
+}
+
+/** So many points are measured that neither the block nor its project file has: they are taken in by a run. */
+export function pendingPoints(state: BlockState): number {
+  if (state.shown === null || !(waitsForMarks(state) || isOutdated(state))) return 0;
+  return state.shown.given.filter(({ byHand, images }) => !byHand && images > 0).length;
 }
 
 function ofFile(view: BlockView, { options, marks }: Pick<BlockState, 'options' | 'marks'>): readonly ViewGiven[] {

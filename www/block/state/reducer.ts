@@ -4,7 +4,7 @@ import type { BlockEdit, BlockFlight, BlockModel, Parameter, PlaceAgain } from '
 import { NO_HISTORY } from '../../shared/state/history';
 import type { Notice } from '../../shared/state/notice';
 import type { BlockCatalogue, BlockFile, BlockOptions, BlockState, Shown, ViewName } from './state';
-import { BLOCK_INITIAL } from './state';
+import { BLOCK_INITIAL, openedKey } from './state';
 import { UNEDITED } from './edited';
 import { nameOfTiePoints } from './former';
 import { awaitingAgain, carried, carriedToGround, reduceEdits } from './editing';
@@ -151,8 +151,8 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
       return { ...state, notice: action.notice };
     case 'onGround':
       return state.shown === null ? state : onGround(state, state.shown, action);
-    case 'openedFile':
-      return {
+    case 'openedFile': {
+      const opened: BlockState = {
         ...state,
         ...blank(state),
         options: action.options,
@@ -178,6 +178,8 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
           ground: null,
         },
       };
+      return { ...opened, shown: opened.shown && { ...opened.shown, key: openedKey(opened) } };
+    }
     case 'restored': {
       const { former, history, shown } = action.restored;
       const awaiting = awaitingAgain(former, history, shown);

@@ -136,17 +136,29 @@ export const BLOCK_INITIAL: BlockState = {
 export type Listed = Pick<Shown, 'view' | 'given' | 'asGiven'>;
 
 /** Names what a run of the present files and options would be made from. */
-export function wantedKey(state: Pick<BlockState, 'files' | 'options' | 'marks' | 'shown' | 'placing'>): string {
+export function wantedKey(state: WithOptions): string {
+  return JSON.stringify([state.files.map(({ id }) => id), toRun(state)]);
+}
+
+type WithOptions = Pick<BlockState, 'files' | 'options' | 'marks' | 'shown' | 'placing'>;
+
+function toRun(state: WithOptions) {
   const { geoid, positions } = state.options;
-  return JSON.stringify([
-    state.files.map(({ id }) => id),
-    { ...state.options, ...givenToRun(state), geoid: geoid ?? undefined, positions: positions ?? undefined },
-  ]);
+  return { ...state.options, ...givenToRun(state), geoid: geoid ?? undefined, positions: positions ?? undefined };
+}
+
+/** Names what a run of the present options would be made from, whatever the files: the key of a block that was opened, whose images come later. */
+export function openedKey(state: WithOptions): string {
+  return JSON.stringify(toRun(state));
 }
 
 /** Whether other files or options made the block on the screen. */
 export function isOutdated(state: BlockState): boolean {
-  return state.shown !== null && state.shown.files.length > 0 && state.shown.key !== wantedKey(state);
+  const { shown, files } = state;
+  if (shown === null) return false;
+  if (shown.files.length > 0) return shown.key !== wantedKey(state);
+  // Without images it cannot be run; one that an earlier release opened has no key.
+  return shown.key !== '' && files.length >= 2 && shown.key !== openedKey(state);
 }
 
 export function isBusy({ running, notice, placing }: BlockState): boolean {

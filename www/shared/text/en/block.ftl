@@ -221,6 +221,10 @@ where-it-lies-is-not-known = {" "}{ $by ->
         [system] Where images show it is not known: with the coordinate system of the control points in the settings (“Coordinate system”), points open where they are expected.
        *[points] Where images show it is not known: once it is placed in two images, it is expected in the others where their epipolar lines cross.
     }
+measured-points-are-not-in-it = { $points ->
+        [one] 1 measured point is
+       *[other] { $points } measured points are
+    } not in the block, nor in the file: this browser keeps their image measurements, until a run takes them in.
 accepted-as-placed = { $name } was accepted as it was placed in { $images ->
         [one] 1 image
        *[other] { $images } images
