@@ -54,6 +54,7 @@ const FAULTS = new Set([
   'there is no {} image',
   'no image is open in this worker',
   'no block is held',
+  'no input is held',
   'no canvas can be drawn on here',
   'a project does not hold its images',
   'no pair is held in this worker',

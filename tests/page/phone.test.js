@@ -62,6 +62,10 @@ test('figures of a block have their captions, the legend of the map is whole, an
   await part(page, 'block-run').click();
   await status(page, /^(?:Oriented|Weak orientation)/);
   await figuresAreWhole(page, 'block-answer');
+  // Whatever is said beside the verdict.
+  await part(page, 'block-files-input').setInputFiles(join(folder, 'photo_00000.png'));
+  await status(page, /their names are in the block already/);
+  await figuresAreWhole(page, 'block-answer');
   const ends = await until(page, 'the legend is drawn', () =>
     page.evaluate(() => {
       const { drawn } = /** @type {{ drawn: Map<string, number> }} */ (/** @type {unknown} */ (window));

@@ -20,7 +20,7 @@ export function projectInputOf(file: Uint8Array, block: FinishedBlock): ProjectI
   // A file of an earlier version says less, in another order: it is brought forward.
   const bytes = startOf(file) === null ? new TextEncoder().encode(block.project()) : file;
   const start = startOf(bytes);
-  if (start === null) throw new Error('the project does not begin with its input');
+  if (start === null) throw new Error('no input is held');
   const input = JSON.parse(new TextDecoder().decode(bytes.subarray(start, endOfObject(bytes, start)))) as RunInput;
   return { input, geoid: input.geoid === undefined ? null : geoidOf(bytes) };
 }
