@@ -484,6 +484,7 @@ var LEAST_POINTS = 3;
 var LEAST_PLACED = 1;
 var LEAST_IMAGES$1 = 2;
 var pointsOfFile = remember((control) => readOr(control, parse_ground_control_points));
+var coordinatesOf = remember((control) => new Map(pointsOfFile(control).map(({ name, position }) => [name, position])));
 var marksOfFile = remember((marks, images) => {
 	const names = images.map(({ name }) => name);
 	return readOr(marks, (text) => parse_image_measurements(text, names));
@@ -778,16 +779,25 @@ var BLOCK_INITIAL = {
 	notice: null
 };
 function wantedKey(state) {
+	return JSON.stringify([state.files.map(({ id }) => id), toRun(state)]);
+}
+function toRun(state) {
 	const { geoid, positions } = state.options;
-	return JSON.stringify([state.files.map(({ id }) => id), {
+	return {
 		...state.options,
 		...givenToRun(state),
 		geoid: geoid ?? void 0,
 		positions: positions ?? void 0
-	}]);
+	};
+}
+function openedKey(state) {
+	return JSON.stringify(toRun(state));
 }
 function isOutdated(state) {
-	return state.shown !== null && state.shown.files.length > 0 && state.shown.key !== wantedKey(state);
+	const { shown, files } = state;
+	if (shown === null) return false;
+	if (shown.files.length > 0) return shown.key !== wantedKey(state);
+	return shown.key !== "" && files.length >= 2 && shown.key !== openedKey(state);
 }
 function isBusy({ running, notice, placing }) {
 	return running.kind === "yes" || notice?.kind === "busy" || placing.running !== null;
@@ -1342,12 +1352,12 @@ var BlockPlacing = class {
 		try {
 			this.placing.release();
 			const before = shown.ground?.before ?? await this.engine.project();
-			const linked = await this.linked({
+			const { project, verdicts } = await this.linked({
 				project: before,
 				ground,
 				options: placing.options
 			});
-			const read = await this.engine.read(linked, this.store.state.truth);
+			const read = await this.engine.read(project, this.store.state.truth);
 			const awaited = awaitedOf(this.store.state);
 			const [places, again] = [await read.places(), await read.placesAgain(awaited?.spots ?? null)];
 			if (this.stopped || this.store.state.shown?.found !== shown.found) return false;
@@ -1359,7 +1369,8 @@ var BlockPlacing = class {
 				ground: {
 					key,
 					before,
-					places
+					places,
+					verdicts
 				},
 				again
 			});
@@ -1403,15 +1414,23 @@ var BlockPlacing = class {
 				file
 			}];
 		});
+		const verdicts = [];
 		for (const [done, { name, index, file }] of images.entries()) {
 			this.tell(done, images.length, say("placing-on-the-orthophoto", { name }));
-			await this.worker.call("linksPlace", {
+			const verdict = await this.worker.call("linksPlace", {
 				index,
 				file
 			});
+			if (verdict !== null) verdicts.push({
+				name,
+				verdict
+			});
 		}
 		this.tell(1, 1, say("adjusting-by-the-orthophoto"));
-		return this.worker.call("linksFinish", null);
+		return {
+			project: await this.worker.call("linksFinish", null),
+			verdicts
+		};
 	}
 	tell(done, total, text) {
 		this.store.dispatch({
@@ -1448,6 +1467,20 @@ function calibrationsOf({ verdict, cameras }, isSimulated, at) {
 		}];
 	});
 }
+// www/block/state/lacking.ts
+var NOT_HELD = "application/x-not-held";
+function standIn(name) {
+	return new File([], name, { type: NOT_HELD });
+}
+function isLacking({ file }) {
+	return file.type === NOT_HELD;
+}
+function lackingText({ shown, options, placing }) {
+	const { masks, geoid } = options;
+	const files = [...masks, ...geoid === null ? [] : [geoid]].filter(isLacking);
+	const lies = shown !== null && shown.ground === null && shown.view.orthophoto?.kind === "linked" && placing.orthophoto === null;
+	return [files.length === 0 ? "" : say("a-run-needs-files", { files: files.length }), lies ? say("a-run-needs-its-orthophoto") : ""].filter((part) => part !== "").join(" ");
+}
 // www/block/state/given.ts
 var PARTNER_MISSING = { marks: say("image-measurements-need-their-ground") };
 function problemsOf(state) {
@@ -1458,27 +1491,38 @@ function problemsOf(state) {
 function firstProblem(state) {
 	return Object.values(problemsOf(state))[0] ?? null;
 }
+function isUnread(error) {
+	return error instanceof Error && "error" in error && error.error?.refusal?.kind === "crs_text";
+}
 var problems = remember((files, placing, cameras, control, marks, positions, masks, geoid, { run }, onOrthophoto) => {
 	if (placing === null) return {};
 	const names = files.map(({ name }) => name);
 	const found = {};
+	const { crs } = placing;
 	const look = (given, name, read) => {
 		try {
 			read();
 			return true;
 		} catch (error) {
-			found[given] = `${name === "" ? "" : `${name}: `}${messageOf(error)}`;
+			found[given] = `${name === "" ? "" : `${name}: `}${isUnread(error) ? say("system-cannot-be-read") : messageOf(error)}`;
 			return false;
 		}
 	};
+	const isRead = crs === null || look("crs", "placing.crs", () => system_positions(crs, []));
 	if (cameras !== null) look("cameras", cameras.name, () => check_cameras(cameras.text, names));
 	const pointsRead = control !== null && look("control", control.name, () => parse_ground_control_points(control.text));
 	const marksRead = marks === null || look("marks", marks.name, () => parse_image_measurements(marks.text));
-	if (pointsRead && marksRead && run !== null) look("marks", marks?.name ?? "", () => check_control(run.points, run.marks, names, placing, onOrthophoto));
+	if (isRead && pointsRead && marksRead && run !== null) look("marks", marks?.name ?? "", () => check_control(run.points, run.marks, names, placing, onOrthophoto));
 	if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? "";
-	if (positions !== null) look("positions", positions.name, () => positions_of_images(positions.text, names, placing));
+	if (isRead && positions !== null) look("positions", positions.name, () => positions_of_images(positions.text, names, placing));
+	const lacking = masks.filter(isLacking);
 	look("masks", "", () => masks_of_images(names, masks.map(({ name }) => name)));
-	if (geoid !== null) look("geoid", "", () => check_geoid(geoid.name, placing));
+	if (lacking.length > 0) found.masks = say("masks-are-not-in-the-file", {
+		masks: lacking.length,
+		name: lacking[0]?.name ?? ""
+	});
+	if (geoid !== null && isLacking(geoid)) found.geoid = say("geoid-is-not-in-the-file", { name: geoid.name });
+	else if (geoid !== null) look("geoid", "", () => check_geoid(geoid.name, placing));
 	return found;
 });
 // www/block/engine/engine.ts
@@ -2136,7 +2180,7 @@ function namesOf$1({ images, surveyed, connections, givenControl, crs }) {
 	};
 }
 var isPlace = (name) => /^orthophoto_\d+$/u.test(name);
-function withoutPlaces({ surveyed, ...names }) {
+function withoutPlaces$1({ surveyed, ...names }) {
 	return {
 		...names,
 		surveyed: new Map([...surveyed].filter(([, name]) => !isPlace(name)))
@@ -2274,6 +2318,275 @@ function removable(files, choice, names) {
 	const found = files.filter(({ name }) => chosen.has(name));
 	return found.length === chosen.size && files.length - found.length >= LEAST_IMAGES ? found : [];
 }
+// www/block/state/scale.ts
+function unitOf({ origin, surveyed }) {
+	return origin !== null || surveyed.some(({ role }) => role === "control") ? "m" : "";
+}
+function inUnitOf(view, coordinates) {
+	return withUnit(coordinates, unitOf(view));
+}
+// www/block/state/words.ts
+function connectionOf(view, pair) {
+	return connectionsOf(view).get(keyOfPair(pair));
+}
+function outcomeText({ reason, rejected }) {
+	return rejected ? say("pair-rejected-by-hand", { reason }) : reason;
+}
+var CONNECTIONS = new WeakMap();
+function connectionsOf(view) {
+	const known = CONNECTIONS.get(view);
+	if (known !== void 0) return known;
+	const made = new Map(view.connections.map((connection) => [keyOfPair(connection.images), connection]));
+	CONNECTIONS.set(view, made);
+	return made;
+}
+function matchesOf({ outcome }) {
+	return outcome.kind === "connected" ? outcome.matches : 0;
+}
+function mostMatches({ connections }) {
+	return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
+}
+function describe({ view, given }, choice, gsd = "") {
+	switch (choice.kind) {
+		case "image": return describeImage(view, choice.image, gsd);
+		case "images": return describeImages(view, choice.images);
+		case "pair": return describePair(view, choice.images);
+		case "pairs": return describePairs(view, choice.pairs);
+		case "point": return describePoint(view, choice.point);
+		case "observation": return `${asFigure(view.images[choice.image]?.name ?? "")}, ${describePoint(view, choice.point)}`;
+		case "points": return describePoints(view, choice.points);
+		case "given": return describeGiven(given, choice.name);
+	}
+}
+function describeImage(view, index, gsd) {
+	const image = view.images[index];
+	if (image === void 0) return "";
+	const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === "connected").length;
+	return `${[
+		say("observations-4", {
+			name: image.name,
+			what: image.features === null ? "" : say("features-2", { features: image.features }),
+			rays: image.rays,
+			what_2: image.places === null ? "" : say("in-of-9-von-gruber", { places: image.places })
+		}),
+		say("connected-with-of-images", {
+			partners,
+			images: view.images.length - 1
+		}),
+		image.rmsePx === null ? "" : say("rmse-px-3", { rmse_px: image.rmsePx }),
+		gsd,
+		image.oriented ? say("oriented") : image.why ?? say("not-oriented-yet"),
+		image.exifOrientation === null || image.exifOrientation === 1 ? "" : say("used-as-stored-exif-orientation", { exif_orientation: image.exifOrientation })
+	].filter((part) => part !== "").join("; ")}.`;
+}
+var MOST_NAMES$2 = 6;
+function describeImages({ images }, chosen) {
+	const names = chosen.slice(0, MOST_NAMES$2).map((image) => images[image]?.name ?? "");
+	return say("several-images", {
+		images: chosen.length,
+		names: [...names, ...chosen.length > MOST_NAMES$2 ? ["…"] : []].join(", ")
+	});
+}
+var GEOMETRIES = new WeakMap();
+function geometryText(geometry) {
+	if (geometry === null) return "";
+	const { kind, degenerate, sigmaPx } = geometry;
+	const weak = degenerate === null ? null : message("degeneracy", degenerate, "short");
+	const text = GEOMETRIES.get(geometry) ?? say("geometry", {
+		model: message("two_view_model", { kind }, "short"),
+		weak,
+		sigma_px: sigmaPx
+	});
+	GEOMETRIES.set(geometry, text);
+	return text;
+}
+function describePair(view, images) {
+	const names = nameOfPair(view, images);
+	const connection = connectionOf(view, images);
+	if (connection === void 0) return say("this-pair-was-not-tried", { names });
+	const { geometry, shared, chosen } = connection;
+	const parts = [
+		outcomeText(connection).replace(/\.$/u, ""),
+		geometryText(geometry),
+		shared > 0 ? say("common-points-selected", {
+			shared,
+			chosen
+		}) : ""
+	];
+	return `${asFigure(names)}: ${parts.filter((part) => part !== "").join("; ")}.`;
+}
+function nameOfPair({ images }, pair) {
+	return pair.map((image) => images[image]?.name ?? "").join(" – ");
+}
+function describePairs(view, pairs) {
+	const names = pairs.slice(0, MOST_NAMES$2).map((pair) => nameOfPair(view, pair));
+	return say("several-pairs", {
+		pairs: pairs.length,
+		names: [...names, ...pairs.length > MOST_NAMES$2 ? ["…"] : []].join(", ")
+	});
+}
+function nameOfPoint({ surveyed }, point) {
+	return surveyed.find((known) => known.point === point)?.name ?? say("point-of-number", { number: point + 1 });
+}
+function describePoint(view, point) {
+	const { points } = view;
+	const axes = [
+		0,
+		1,
+		2
+	].map((axis) => 3 * point + axis);
+	const place = axes.map((at) => fixed(points.positions[at] ?? NaN, 2)).join(" ");
+	const errors = axes.map((at) => points.errors[at] ?? NaN);
+	return `${[
+		say("rays-3", {
+			name: nameOfPoint(view, point),
+			rays: points.rays[point] ?? 0
+		}),
+		known$1(points.rmsePx[point]) ? say("rmse-px-3", { rmse_px: points.rmsePx[point] ?? NaN }) : "",
+		known$1(points.positions[3 * point]) ? inUnitOf(view, `X Y Z ${place}`) : say("not-intersected"),
+		errors.every(known$1) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(" ")}`) : "",
+		point < points.taking ? "" : say("rejected-by-hand-2")
+	].filter((part) => part !== "").join("; ")}.`;
+}
+function describeGiven(given, name) {
+	const point = given.find((own) => own.name === name);
+	if (point === void 0) return name;
+	const said = {
+		name,
+		place: (point.place ?? point.position).map((value) => fixed(value, 3)).join(" "),
+		use: givenUse(point)
+	};
+	return point.place === null ? say("given-point-of-file", said) : say("given-point", said);
+}
+function controlText(state) {
+	const { twice, needed } = collectedOf(state);
+	return say("control-waits", {
+		twice,
+		needed
+	});
+}
+function givenUse({ role, images }) {
+	return sayNamed("given-use", {
+		role: role ?? "none",
+		images
+	});
+}
+function describePoints({ points }, chosen) {
+	let [least, most, squares, adjusted] = [
+		Infinity,
+		0,
+		0,
+		0
+	];
+	for (const point of chosen) {
+		const rays = points.rays[point] ?? 0;
+		[least, most] = [Math.min(least, rays), Math.max(most, rays)];
+		const rmse = points.rmsePx[point] ?? NaN;
+		if (!known$1(rmse)) continue;
+		squares += rays * rmse * rmse;
+		adjusted += rays;
+	}
+	const gone = chosen.length - chosen.filter((point) => point < points.taking).length;
+	const rays = least === most ? count(most) : say("to", {
+		least,
+		most
+	});
+	return say("tie-points-of-rays", {
+		chosen: chosen.length,
+		rays,
+		what: adjusted > 0 ? say("rmse-px-5", { squares: Math.sqrt(squares / adjusted) }) : "",
+		what_2: gone > 0 ? say("rejected-by-hand-3", { gone }) : ""
+	});
+}
+function known$1(value) {
+	return value !== void 0 && !Number.isNaN(value);
+}
+// www/block/state/draft.ts
+function begun(of) {
+	return {
+		of,
+		places: new Map()
+	};
+}
+function placed$1(draft, image, [x, y], { width, height }, by = "hand") {
+	const at = [roundedPx(Math.min(width, Math.max(0, x))), roundedPx(Math.min(height, Math.max(0, y)))];
+	return {
+		...draft,
+		places: new Map([...draft.places, [image, {
+			at,
+			by
+		}]])
+	};
+}
+function nameOfDraft({ of }, view) {
+	if (of === null) return say("new-point");
+	return isGiven(of) ? of.given : nameOfPoint(view, indexOfSource(view, of));
+}
+function withoutLast({ of, places }) {
+	return places.size === 0 ? null : {
+		of,
+		places: new Map([...places].slice(0, -1))
+	};
+}
+function isGiven(of) {
+	return of !== null && "given" in of;
+}
+function stepOfDraft(draft, names, after, added) {
+	const { of, places } = draft;
+	if (!isGiven(of)) {
+		const edits = editsOfDraft(draft);
+		return edits === null ? null : {
+			type: "edit",
+			edits
+		};
+	}
+	const own = added.get(of.given);
+	if (own !== void 0) {
+		const edits = editsOfDraft({
+			of: { ground_control: own.control },
+			places
+		});
+		return edits === null ? null : {
+			type: "edit",
+			edits
+		};
+	}
+	const marks = [...places].flatMap(([image, { at }]) => {
+		const name = names[image];
+		return name === void 0 ? [] : [{
+			image: name,
+			point: of.given,
+			x_px: at[0],
+			y_px: at[1]
+		}];
+	});
+	return marks.length === 0 ? null : {
+		type: "mark",
+		step: {
+			kind: "measure",
+			marks,
+			after
+		}
+	};
+}
+function editsOfDraft({ of, places }) {
+	if (isGiven(of)) return null;
+	const observations = [...places].map(([image, { at, by }]) => ({
+		image,
+		x_px: at[0],
+		y_px: at[1],
+		by
+	}));
+	if (of !== null) return observations.length === 0 ? null : observations.map((one) => ({
+		kind: "measure",
+		point: of,
+		...one
+	}));
+	return observations.length < 2 ? null : [{
+		kind: "add_point",
+		observations
+	}];
+}
 // www/block/state/editing.ts
 function isEditable({ shown, running }) {
 	return shown !== null && !shown.view.partial && shown.view.oriented > 0 && running.kind !== "yes";
@@ -2348,12 +2661,35 @@ function reduceEdits(state, action) {
 			...state,
 			marks: action.marks
 		};
+		case "accept": return accepted(state, action.leaves);
 		case "draft": return {
 			...state,
 			draft: isEditable(state) ? action.draft : null,
 			notice: action.draft === null && state.notice?.beside === true ? null : state.notice
 		};
 	}
+}
+function accepted(state, leaves) {
+	const { draft, shown, history } = state;
+	if (draft === null || shown === null) return state;
+	const step = stepOfDraft(draft, shown.view.images.map(({ name }) => name), history.done, addedPoints(editsInForce(history), shown.view.givenControl));
+	const taken = step === null ? state : reduceEdits(state, step);
+	if (!leaves) return taken;
+	if (taken === state) return {
+		...state,
+		draft: null
+	};
+	return {
+		...taken,
+		notice: taken.notice ?? {
+			kind: "info",
+			text: say("accepted-as-placed", {
+				name: nameOfDraft(draft, shown.view),
+				images: draft.places.size
+			}),
+			beside: true
+		}
+	};
 }
 function afterEdit({ notice }) {
 	return notice?.kind === "busy" ? notice : null;
@@ -2559,8 +2895,8 @@ function carriedToGround(state, view, isOff, again) {
 	const gone = isOff ? 0 : state.awaiting?.ofPlaces ?? 0;
 	const saidOfGone = gone === 0 ? "" : say("of-points-of-the-former", { lost: gone });
 	const names = shown === null ? NO_NAMES : namesOf$1(shown.found);
-	const isSame = names.givenControl === view.givenControl && withoutPlaces(names).surveyed.size === names.surveyed.size;
-	const found = isSame ? allCarried(history) : carriedOver(history, names, withoutPlaces(namesOf$1(view)), true, again);
+	const isSame = names.givenControl === view.givenControl && withoutPlaces$1(names).surveyed.size === names.surveyed.size;
+	const found = isSame ? allCarried(history) : carriedOver(history, names, withoutPlaces$1(namesOf$1(view)), true, again);
 	const { history: left, left: places, aside } = isOff ? placesSetAside(found.history, view.givenControl) : {
 		...allCarried(found.history),
 		aside: 0
@@ -2596,7 +2932,7 @@ function carriedToGround(state, view, isOff, again) {
 }
 function arrived(awaited, { marks, former }, view, again) {
 	const { history, names, sameTiePoints } = awaited;
-	const found = carriedOver(history, names, withoutPlaces(namesOf$1(view)), sameTiePoints, again);
+	const found = carriedOver(history, names, withoutPlaces$1(namesOf$1(view)), sameTiePoints, again);
 	const { edits, said } = keptOf(found, marksBefore(awaited, marks), names);
 	const ofIt = former.map((one) => one.history === history ? {
 		...one,
@@ -2716,82 +3052,6 @@ var EditFollower = class {
 		return true;
 	}
 };
-// www/block/state/draft.ts
-function begun(of) {
-	return {
-		of,
-		places: new Map()
-	};
-}
-function placed$1(draft, image, [x, y], { width, height }, by = "hand") {
-	const at = [roundedPx(Math.min(width, Math.max(0, x))), roundedPx(Math.min(height, Math.max(0, y)))];
-	return {
-		...draft,
-		places: new Map([...draft.places, [image, {
-			at,
-			by
-		}]])
-	};
-}
-function isGiven(of) {
-	return of !== null && "given" in of;
-}
-function stepOfDraft(draft, names, after, added) {
-	const { of, places } = draft;
-	if (!isGiven(of)) {
-		const edits = editsOfDraft(draft);
-		return edits === null ? null : {
-			type: "edit",
-			edits
-		};
-	}
-	const own = added.get(of.given);
-	if (own !== void 0) {
-		const edits = editsOfDraft({
-			of: { ground_control: own.control },
-			places
-		});
-		return edits === null ? null : {
-			type: "edit",
-			edits
-		};
-	}
-	const marks = [...places].flatMap(([image, { at }]) => {
-		const name = names[image];
-		return name === void 0 ? [] : [{
-			image: name,
-			point: of.given,
-			x_px: at[0],
-			y_px: at[1]
-		}];
-	});
-	return marks.length === 0 ? null : {
-		type: "mark",
-		step: {
-			kind: "measure",
-			marks,
-			after
-		}
-	};
-}
-function editsOfDraft({ of, places }) {
-	if (isGiven(of)) return null;
-	const observations = [...places].map(([image, { at, by }]) => ({
-		image,
-		x_px: at[0],
-		y_px: at[1],
-		by
-	}));
-	if (of !== null) return observations.length === 0 ? null : observations.map((one) => ({
-		kind: "measure",
-		point: of,
-		...one
-	}));
-	return observations.length < 2 ? null : [{
-		kind: "add_point",
-		observations
-	}];
-}
 // www/block/state/joining.ts
 function placesOf$3({ observations }) {
 	return observations.filter(({ part }) => part !== "rejected_by_hand").map(({ image, x_px, y_px, by_hand }) => ({
@@ -2923,9 +3183,9 @@ function makeEdit(store, edit) {
 }
 function stepBy(store, by) {
 	if (store.state.draft !== null) {
-		store.dispatch({
+		if (by < 0) store.dispatch({
 			type: "draft",
-			draft: null
+			draft: withoutLast(store.state.draft)
 		});
 		return;
 	}
@@ -3178,11 +3438,17 @@ function surveyedChoice({ selection }, facts) {
 		role: detail.role
 	} : null;
 }
-function textOf({ draft, adjusting, before, shown }) {
+function unplacedText({ of }, { shown, options }) {
+	const point = isGiven(of) ? shown?.given.find(({ name }) => name === of.given) : void 0;
+	if (shown === null || point === void 0 || point.place !== null || point.images > 0) return "";
+	return say("where-it-lies-is-not-known", { by: shown.view.origin !== null && options.settings?.placing.crs == null ? "system" : "points" });
+}
+function textOf(state) {
+	const { draft, adjusting, before, shown } = state;
 	if (draft !== null) {
 		const placed = draft.places.size;
-		const what = draft.of === null ? say("new-point") : isGiven(draft.of) ? draft.of.given : say("point");
-		const more = draft.of === null && placed < 2 ? say("two-images-or-more-are") : "";
+		const what = shown === null ? "" : nameOfDraft(draft, shown.view);
+		const more = draft.of === null && placed < 2 ? say("two-images-or-more-are") : placed === 0 ? unplacedText(draft, state) : "";
 		return say("placed-in-press-its-place", {
 			what,
 			placed,
@@ -3454,189 +3720,6 @@ function mountBlockEditKeys(store, hosts) {
 	});
 	for (const host of hosts) listenKeys(host, edits);
 }
-// www/block/state/scale.ts
-function unitOf({ origin, surveyed }) {
-	return origin !== null || surveyed.some(({ role }) => role === "control") ? "m" : "";
-}
-function inUnitOf(view, coordinates) {
-	return withUnit(coordinates, unitOf(view));
-}
-// www/block/state/words.ts
-function connectionOf(view, pair) {
-	return connectionsOf(view).get(keyOfPair(pair));
-}
-function outcomeText({ reason, rejected }) {
-	return rejected ? say("pair-rejected-by-hand", { reason }) : reason;
-}
-var CONNECTIONS = new WeakMap();
-function connectionsOf(view) {
-	const known = CONNECTIONS.get(view);
-	if (known !== void 0) return known;
-	const made = new Map(view.connections.map((connection) => [keyOfPair(connection.images), connection]));
-	CONNECTIONS.set(view, made);
-	return made;
-}
-function matchesOf({ outcome }) {
-	return outcome.kind === "connected" ? outcome.matches : 0;
-}
-function mostMatches({ connections }) {
-	return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
-}
-function describe({ view, given }, choice, gsd = "") {
-	switch (choice.kind) {
-		case "image": return describeImage(view, choice.image, gsd);
-		case "images": return describeImages(view, choice.images);
-		case "pair": return describePair(view, choice.images);
-		case "pairs": return describePairs(view, choice.pairs);
-		case "point": return describePoint(view, choice.point);
-		case "observation": return `${asFigure(view.images[choice.image]?.name ?? "")}, ${describePoint(view, choice.point)}`;
-		case "points": return describePoints(view, choice.points);
-		case "given": return describeGiven(given, choice.name);
-	}
-}
-function describeImage(view, index, gsd) {
-	const image = view.images[index];
-	if (image === void 0) return "";
-	const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === "connected").length;
-	return `${[
-		say("observations-4", {
-			name: image.name,
-			what: image.features === null ? "" : say("features-2", { features: image.features }),
-			rays: image.rays,
-			what_2: image.places === null ? "" : say("in-of-9-von-gruber", { places: image.places })
-		}),
-		say("connected-with-of-images", {
-			partners,
-			images: view.images.length - 1
-		}),
-		image.rmsePx === null ? "" : say("rmse-px-3", { rmse_px: image.rmsePx }),
-		gsd,
-		image.oriented ? say("oriented") : image.why ?? say("not-oriented-yet"),
-		image.exifOrientation === null || image.exifOrientation === 1 ? "" : say("used-as-stored-exif-orientation", { exif_orientation: image.exifOrientation })
-	].filter((part) => part !== "").join("; ")}.`;
-}
-var MOST_NAMES$2 = 6;
-function describeImages({ images }, chosen) {
-	const names = chosen.slice(0, MOST_NAMES$2).map((image) => images[image]?.name ?? "");
-	return say("several-images", {
-		images: chosen.length,
-		names: [...names, ...chosen.length > MOST_NAMES$2 ? ["…"] : []].join(", ")
-	});
-}
-var GEOMETRIES = new WeakMap();
-function geometryText(geometry) {
-	if (geometry === null) return "";
-	const { kind, degenerate, sigmaPx } = geometry;
-	const weak = degenerate === null ? null : message("degeneracy", degenerate, "short");
-	const text = GEOMETRIES.get(geometry) ?? say("geometry", {
-		model: message("two_view_model", { kind }, "short"),
-		weak,
-		sigma_px: sigmaPx
-	});
-	GEOMETRIES.set(geometry, text);
-	return text;
-}
-function describePair(view, images) {
-	const names = nameOfPair(view, images);
-	const connection = connectionOf(view, images);
-	if (connection === void 0) return say("this-pair-was-not-tried", { names });
-	const { geometry, shared, chosen } = connection;
-	const parts = [
-		outcomeText(connection).replace(/\.$/u, ""),
-		geometryText(geometry),
-		shared > 0 ? say("common-points-selected", {
-			shared,
-			chosen
-		}) : ""
-	];
-	return `${asFigure(names)}: ${parts.filter((part) => part !== "").join("; ")}.`;
-}
-function nameOfPair({ images }, pair) {
-	return pair.map((image) => images[image]?.name ?? "").join(" – ");
-}
-function describePairs(view, pairs) {
-	const names = pairs.slice(0, MOST_NAMES$2).map((pair) => nameOfPair(view, pair));
-	return say("several-pairs", {
-		pairs: pairs.length,
-		names: [...names, ...pairs.length > MOST_NAMES$2 ? ["…"] : []].join(", ")
-	});
-}
-function nameOfPoint({ surveyed }, point) {
-	return surveyed.find((known) => known.point === point)?.name ?? say("point-of-number", { number: point + 1 });
-}
-function describePoint(view, point) {
-	const { points } = view;
-	const axes = [
-		0,
-		1,
-		2
-	].map((axis) => 3 * point + axis);
-	const place = axes.map((at) => fixed(points.positions[at] ?? NaN, 2)).join(" ");
-	const errors = axes.map((at) => points.errors[at] ?? NaN);
-	return `${[
-		say("rays-3", {
-			name: nameOfPoint(view, point),
-			rays: points.rays[point] ?? 0
-		}),
-		known$1(points.rmsePx[point]) ? say("rmse-px-3", { rmse_px: points.rmsePx[point] ?? NaN }) : "",
-		known$1(points.positions[3 * point]) ? inUnitOf(view, `X Y Z ${place}`) : say("not-intersected"),
-		errors.every(known$1) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(" ")}`) : "",
-		point < points.taking ? "" : say("rejected-by-hand-2")
-	].filter((part) => part !== "").join("; ")}.`;
-}
-function describeGiven(given, name) {
-	const point = given.find((own) => own.name === name);
-	if (point === void 0) return name;
-	const said = {
-		name,
-		place: (point.place ?? point.position).map((value) => fixed(value, 3)).join(" "),
-		use: givenUse(point)
-	};
-	return point.place === null ? say("given-point-of-file", said) : say("given-point", said);
-}
-function controlText(state) {
-	const { twice, needed } = collectedOf(state);
-	return say("control-waits", {
-		twice,
-		needed
-	});
-}
-function givenUse({ role, images }) {
-	return sayNamed("given-use", {
-		role: role ?? "none",
-		images
-	});
-}
-function describePoints({ points }, chosen) {
-	let [least, most, squares, adjusted] = [
-		Infinity,
-		0,
-		0,
-		0
-	];
-	for (const point of chosen) {
-		const rays = points.rays[point] ?? 0;
-		[least, most] = [Math.min(least, rays), Math.max(most, rays)];
-		const rmse = points.rmsePx[point] ?? NaN;
-		if (!known$1(rmse)) continue;
-		squares += rays * rmse * rmse;
-		adjusted += rays;
-	}
-	const gone = chosen.length - chosen.filter((point) => point < points.taking).length;
-	const rays = least === most ? count(most) : say("to", {
-		least,
-		most
-	});
-	return say("tie-points-of-rays", {
-		chosen: chosen.length,
-		rays,
-		what: adjusted > 0 ? say("rmse-px-5", { squares: Math.sqrt(squares / adjusted) }) : "",
-		what_2: gone > 0 ? say("rejected-by-hand-3", { gone }) : ""
-	});
-}
-function known$1(value) {
-	return value !== void 0 && !Number.isNaN(value);
-}
 // www/block/panel/edit-panel.ts
 function mountEditPanel(host, store) {
 	const compared = h("div", { testid: "block-compared" });
@@ -3787,6 +3870,113 @@ function comparison(before, now) {
 		class: "tight",
 		aria: { label: say("block-before-and-after-the") }
 	}, h("thead", {}, head), body);
+}
+// www/block/state/in-common.ts
+function inSystemOfBlock(view, rows, { crs, geoid_m }) {
+	const { orthophoto, origin } = view;
+	if (orthophoto !== null && orthophoto.kind !== "not_linked" && !orthophoto.inCrs) return rows.map(({ position }) => position);
+	return (crs === null || origin === null ? null : byEarth(rows, crs, geoid_m, origin)) ?? byCommonPoints(view, rows);
+}
+function byEarth(rows, crs, geoid_m, { longitude_deg, latitude_deg, height_m }) {
+	try {
+		const geographic = system_positions(crs, rows.flatMap(({ position }) => position)).map((value, i) => i % 3 === 2 ? value + geoid_m : value);
+		const local = local_positions([
+			longitude_deg,
+			latitude_deg,
+			height_m,
+			...geographic
+		]);
+		const places = rows.map((_, i) => {
+			const [x = NaN, y = NaN, z = NaN] = local.subarray(3 * i + 3, 3 * i + 6);
+			return Number.isNaN(x + y + z) ? null : [
+				x,
+				y,
+				z
+			];
+		});
+		return places.every((place) => place === null) ? null : places;
+	} catch {
+		return null;
+	}
+}
+function byCommonPoints({ surveyed }, rows) {
+	const inBlock = new Map(surveyed.map(({ name, position }) => [name, position]));
+	const common = rows.flatMap(({ name, position }) => {
+		const own = inBlock.get(name);
+		return own === void 0 ? [] : [[position, own]];
+	});
+	const plan = similarity(common.map(([[x, y]]) => [x, y]), common.map(([, [x, y]]) => [x, y]));
+	if (plan === null) return rows.map(() => null);
+	const scale = scaleOf(plan);
+	const rise = common.reduce((sum, [given, own]) => sum + own[2] - scale * given[2], 0) / common.length;
+	return rows.map(({ position: [x, y, z] }) => [...mapped(plan, x, y), scale * z + rise]);
+}
+// www/block/state/given-points.ts
+var NONE_GIVEN = [];
+var besideBlock = remember((view, control, crs, geoid_m) => {
+	const known = new Set(view.surveyed.map(({ name }) => name));
+	const places = inSystemOfBlock(view, pointsOfFile(control), {
+		crs,
+		geoid_m
+	});
+	return pointsOfFile(control).flatMap(({ name, position, role }, i) => known.has(name) ? [] : [{
+		name,
+		position,
+		place: places[i] ?? null,
+		role: role ?? null,
+		byHand: false
+	}]);
+});
+var measured = remember((points, view, file, history) => {
+	if (points.length === 0) return NONE_GIVEN;
+	const images = new Map();
+	for (const { point } of allMarks(file, history, view.images)) images.set(point, (images.get(point) ?? 0) + 1);
+	return points.map((point) => ({
+		...point,
+		images: images.get(point.name) ?? 0
+	}));
+});
+var added = remember((view, points, unused) => {
+	if (points.size === 0) return NONE_GIVEN;
+	const known = new Set(view.surveyed.map(({ name }) => name));
+	const waiting = [...points.values()].filter(({ edit }) => !known.has(edit.name));
+	if (waiting.length === 0) return NONE_GIVEN;
+	const places = inSystemOfBlock(view, waiting.map(({ edit: { name, position } }) => ({
+		name,
+		position,
+		standard_errors: null,
+		role: "control",
+		sigma_px: null
+	})), {
+		crs: view.crs,
+		geoid_m: view.geoidM ?? 0
+	});
+	return waiting.map(({ edit, control, places: seen }, i) => {
+		const { name, position, use } = edit;
+		return {
+			name,
+			position,
+			place: places[i] ?? null,
+			role: unused.has(control) ? null : use ?? "control",
+			images: seen.size,
+			byHand: true
+		};
+	});
+});
+var together$1 = remember((given, byHand) => byHand.length === 0 ? given : given.length === 0 ? byHand : [...given, ...byHand]);
+function givenBeside(view, state) {
+	if (view.partial) return NONE_GIVEN;
+	const edits = editsInForce(state.history);
+	return together$1(ofFile(view, state), added(view, addedPoints(edits, view.givenControl), standingOf(edits).unused));
+}
+function pendingPoints(state) {
+	if (state.shown === null || !(waitsForMarks(state) || isOutdated(state))) return 0;
+	return state.shown.given.filter(({ byHand, images }) => !byHand && images > 0).length;
+}
+function ofFile(view, { options, marks }) {
+	if (options.control === null) return NONE_GIVEN;
+	const { crs = null, geoid_m = null } = options.settings?.placing ?? {};
+	return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? view.geoidM ?? 0), view, options.marks, marks);
 }
 // www/block/state/orthophoto-unit.ts
 var FOOT_M = .3048;
@@ -4128,11 +4318,13 @@ async function saveAs(store, engine, kind, near = EXPORT$1) {
 	try {
 		const { name, type, bytes } = await engine.export(kind, "block");
 		save(new Blob([bytes], { type }), name);
+		const pending = kind === "project" || kind === "everything" ? pendingPoints(store.state) : 0;
+		const text = [say("was-saved", { name }), pending === 0 ? "" : say("measured-points-are-not-in-it", { points: pending })].join(" ").trimEnd();
 		store.dispatch({
 			type: "notice",
 			notice: {
 				kind: "info",
-				text: say("was-saved", { name }),
+				text,
 				beside: true
 			}
 		});
@@ -4410,10 +4602,14 @@ var BlockActions = class {
 		return doHere(this.stays, (here) => this.runOf(here));
 	}
 	async runOf(here) {
+		this.store.dispatch({
+			type: "accept",
+			leaves: true
+		});
 		const { shown, history } = this.store.state;
 		const names = shown === null ? null : namesOf$1(shown.found);
 		const isSame = shown !== null && shown.tiePoints !== "" && shown.key === wantedKey(this.store.state);
-		const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces(names), isSame);
+		const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces$1(names), isSame);
 		if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run(here);
 		this.telling.tell("busy", say("keeping-the-edited-block"));
 		const stays = await this.aside.leave(say("run-it-again"), here);
@@ -4445,6 +4641,10 @@ var BlockActions = class {
 	}
 	clear() {
 		return doHere(this.stays, async (here) => {
+			this.store.dispatch({
+				type: "accept",
+				leaves: true
+			});
 			const { shown, history, marks } = this.store.state;
 			const isEdited = history.edits.length + marks.edits.length > 0;
 			const stays = await this.aside.leave(say("remove-all-images"), here);
@@ -4823,6 +5023,54 @@ var FilmFiles = class {
 		});
 	}
 };
+// www/block/files/opened.ts
+var PLACE = "orthophoto_";
+function optionsOf({ input, geoid }, name) {
+	const text = (given) => given == null ? null : {
+		name,
+		text: given
+	};
+	const { points, marks } = withoutPlaces(input.control ?? null);
+	return {
+		settings: block_settings(input.settings ?? {}),
+		gps: input.use_gnss === false ? "ignore" : "use",
+		cameras: text(input.cameras),
+		control: text(points),
+		marks: text(marks),
+		positions: text(input.positions),
+		masks: (input.masks ?? []).map((mask) => fileOf$3(mask, null)),
+		geoid: input.geoid === void 0 ? null : fileOf$3(input.geoid, geoid)
+	};
+}
+function fileOf$3(name, bytes) {
+	return {
+		id: newId(),
+		name,
+		file: bytes === null ? standIn(name) : new File([bytes], name)
+	};
+}
+function withoutPlaces(control) {
+	if (control == null) return {
+		points: null,
+		marks: null
+	};
+	const { points, marks } = control;
+	const lines = points.split("\n");
+	const own = lines.filter((line) => !line.startsWith(PLACE));
+	if (own.length === lines.length) return {
+		points,
+		marks
+	};
+	if (own.filter((line) => line.trim() !== "").length < 2) return {
+		points: null,
+		marks: null
+	};
+	const measured = parse_image_measurements(marks).filter(({ point }) => !point.startsWith(PLACE));
+	return {
+		points: own.join("\n"),
+		marks: image_measurement_table(measured)
+	};
+}
 // www/block/files/simulated.ts
 var SimulatedFiles = class {
 	store;
@@ -5147,7 +5395,7 @@ var BlockFiles = class {
 		return this.takeHere([file.name], async (here) => {
 			this.telling.tell("busy", say("reading", { name: file.name }));
 			try {
-				const { view, edits, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
+				const { view, edits, made, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
 				here();
 				const edited = await this.aside.leave(say("open-the-other-project"), here);
 				if (edited === null) {
@@ -5163,7 +5411,8 @@ var BlockFiles = class {
 				this.store.dispatch({
 					type: "openedFile",
 					view,
-					edits
+					edits,
+					options: optionsOf(made, file.name)
 				});
 				const former = stays ? say("the-former-block-stays-under") : "";
 				this.telling.tell("info", say("was-opened-the-file-does", {
@@ -5243,109 +5492,6 @@ function isBlank({ catalogue, files, shown, options, flight, placing }) {
 	const noFile = cameras === null && control === null && marks === null && positions === null && masks.length === 0 && geoid === null;
 	const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === "use" && noFile && placing.options === catalogue?.placing;
 	return catalogue === null || files.length === 0 && shown === null && placing.orthophoto === null && placing.film.camera === null && placing.film.marks.length === 0 && untouched;
-}
-// www/block/state/in-common.ts
-function inSystemOfBlock(view, rows, { crs, geoid_m }) {
-	const { orthophoto, origin } = view;
-	if (orthophoto !== null && orthophoto.kind !== "not_linked" && !orthophoto.inCrs) return rows.map(({ position }) => position);
-	return (crs === null || origin === null ? null : byEarth(rows, crs, geoid_m, origin)) ?? byCommonPoints(view, rows);
-}
-function byEarth(rows, crs, geoid_m, { longitude_deg, latitude_deg, height_m }) {
-	try {
-		const geographic = system_positions(crs, rows.flatMap(({ position }) => position)).map((value, i) => i % 3 === 2 ? value + geoid_m : value);
-		const local = local_positions([
-			longitude_deg,
-			latitude_deg,
-			height_m,
-			...geographic
-		]);
-		const places = rows.map((_, i) => {
-			const [x = NaN, y = NaN, z = NaN] = local.subarray(3 * i + 3, 3 * i + 6);
-			return Number.isNaN(x + y + z) ? null : [
-				x,
-				y,
-				z
-			];
-		});
-		return places.every((place) => place === null) ? null : places;
-	} catch {
-		return null;
-	}
-}
-function byCommonPoints({ surveyed }, rows) {
-	const inBlock = new Map(surveyed.map(({ name, position }) => [name, position]));
-	const common = rows.flatMap(({ name, position }) => {
-		const own = inBlock.get(name);
-		return own === void 0 ? [] : [[position, own]];
-	});
-	const plan = similarity(common.map(([[x, y]]) => [x, y]), common.map(([, [x, y]]) => [x, y]));
-	if (plan === null) return rows.map(() => null);
-	const scale = scaleOf(plan);
-	const rise = common.reduce((sum, [given, own]) => sum + own[2] - scale * given[2], 0) / common.length;
-	return rows.map(({ position: [x, y, z] }) => [...mapped(plan, x, y), scale * z + rise]);
-}
-// www/block/state/given-points.ts
-var NONE_GIVEN = [];
-var besideBlock = remember((view, control, crs, geoid_m) => {
-	const known = new Set(view.surveyed.map(({ name }) => name));
-	const places = inSystemOfBlock(view, pointsOfFile(control), {
-		crs,
-		geoid_m
-	});
-	return pointsOfFile(control).flatMap(({ name, position, role }, i) => known.has(name) ? [] : [{
-		name,
-		position,
-		place: places[i] ?? null,
-		role: role ?? null,
-		byHand: false
-	}]);
-});
-var measured = remember((points, view, file, history) => {
-	if (points.length === 0) return NONE_GIVEN;
-	const images = new Map();
-	for (const { point } of allMarks(file, history, view.images)) images.set(point, (images.get(point) ?? 0) + 1);
-	return points.map((point) => ({
-		...point,
-		images: images.get(point.name) ?? 0
-	}));
-});
-var added = remember((view, points, unused) => {
-	if (points.size === 0) return NONE_GIVEN;
-	const known = new Set(view.surveyed.map(({ name }) => name));
-	const waiting = [...points.values()].filter(({ edit }) => !known.has(edit.name));
-	if (waiting.length === 0) return NONE_GIVEN;
-	const places = inSystemOfBlock(view, waiting.map(({ edit: { name, position } }) => ({
-		name,
-		position,
-		standard_errors: null,
-		role: "control",
-		sigma_px: null
-	})), {
-		crs: view.crs,
-		geoid_m: view.geoidM ?? 0
-	});
-	return waiting.map(({ edit, control, places: seen }, i) => {
-		const { name, position, use } = edit;
-		return {
-			name,
-			position,
-			place: places[i] ?? null,
-			role: unused.has(control) ? null : use ?? "control",
-			images: seen.size,
-			byHand: true
-		};
-	});
-});
-var together$1 = remember((given, byHand) => byHand.length === 0 ? given : given.length === 0 ? byHand : [...given, ...byHand]);
-function givenBeside(view, state) {
-	if (view.partial) return NONE_GIVEN;
-	const edits = editsInForce(state.history);
-	return together$1(ofFile(view, state), added(view, addedPoints(edits, view.givenControl), standingOf(edits).unused));
-}
-function ofFile(view, { options, marks }) {
-	if (options.control === null) return NONE_GIVEN;
-	const { crs = null, geoid_m = null } = options.settings?.placing ?? {};
-	return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? view.geoidM ?? 0), view, options.marks, marks);
 }
 // www/block/files/edit.ts
 var OF_ONE = 60;
@@ -5980,12 +6126,19 @@ function theSame(edits, history) {
 	});
 }
 function groundFrom(value) {
-	const { key, before, places } = objectOf(value, "shown.ground");
+	const { key, before, places, verdicts } = objectOf(value, "shown.ground");
 	if (!(before instanceof Blob)) throw new Error(say("the-finished-block-is-damaged"));
 	return {
 		key: likeOf(key, "", "shown.ground.key"),
 		before,
-		places: orNull(places ?? null, (own) => placesFrom(own, "shown.ground.places"))
+		places: orNull(places ?? null, (own) => placesFrom(own, "shown.ground.places")),
+		verdicts: listOf$1(verdicts ?? [], "shown.ground.verdicts", (one, name) => {
+			const { name: image, verdict } = objectOf(one, name);
+			return {
+				name: likeOf(image, "", `${name}.name`),
+				verdict: objectOf(verdict, `${name}.verdict`)
+			};
+		})
 	};
 }
 function besidesOf({ masks, geoid }) {
@@ -6458,13 +6611,15 @@ function pointRows(view) {
 		]
 	};
 }
-function surveyedRows({ surveyed }, given) {
+var NO_COORDINATES = new Map();
+function surveyedRows({ surveyed }, given, asGiven = NO_COORDINATES) {
 	const axes = [
 		"X",
 		"Y",
 		"Z"
 	];
-	const areElsewhere = given.some(({ place }) => place === null);
+	const isOther = (position, name) => asGiven.get(name)?.some((value, k) => value !== position[k]) === true;
+	const areOthers = given.some(({ place, position }) => place === null || place.some((value, k) => value !== position[k])) || surveyed.some(({ position, name }) => isOther(position, name));
 	const beside = (row) => given[row - surveyed.length];
 	const useText = (row) => {
 		const own = beside(row);
@@ -6477,8 +6632,8 @@ function surveyedRows({ surveyed }, given) {
 			words("surveyed", say("point"), (i) => surveyed[i]?.name ?? beside(i)?.name ?? "", say("name-of-the-surveyed-point")),
 			words("use", say("use"), useText, say("control-points-place-the-block")),
 			numbers("surveyed-rays", say("rays-2"), "", 0, (i) => surveyed[i]?.rays ?? NaN, say("image-measurements-that-took-part"), { total: "sum" }),
+			...areOthers ? axes.map((axis, k) => numbers(`given-${axis}`, sayNamed("as-given", { axis }), "", 3, (i) => beside(i)?.position[k] ?? asGiven.get(surveyed[i]?.name ?? "")?.[k] ?? NaN, say("in-the-unit-and-the", { axis }))) : [],
 			...axes.map((axis, k) => numbers(`surveyed-${axis}`, axis, "m", 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.place?.[k] ?? NaN, say("surveyed-in-the-system-of", { axis }))),
-			...areElsewhere ? axes.map((axis, k) => numbers(`given-${axis}`, sayNamed("as-given", { axis }), "", 3, (i) => beside(i)?.position[k] ?? NaN, say("in-the-unit-and-the", { axis }))) : [],
 			...axes.map((axis, k) => numbers(`difference-${axis}`, `Δ${axis}`, "m", 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say("adjusted-minus-surveyed", { axis }), { total: "rms" })),
 			...axes.map((axis, k) => numbers(`difference-sigma-${axis}`, `σ Δ${axis}`, "m", 3, (i) => surveyed[i]?.standard_errors_m[k], say("standard-error-of", { axis }), { total: "rms" })),
 			...axes.map((axis, k) => numbers(`left-out-${axis}`, sayNamed("difference-left-out", { axis }), "m", 3, (i) => surveyed[i]?.left_out?.difference[k], say("where-the-other-observations-have", { axis }), { total: "rms" })),
@@ -6554,8 +6709,8 @@ var ofView = {
 	points: remember(pointRows)
 };
 var withGiven = remember(surveyedRows);
-function rowsOf(subject, { view, given }) {
-	return subject === "surveyed" ? withGiven(view, given) : ofView[subject](view);
+function rowsOf(subject, { view, given, asGiven }) {
+	return subject === "surveyed" ? withGiven(view, given, asGiven) : ofView[subject](view);
 }
 function choiceOfRow(subject, { view, given }, row) {
 	if (subject === "images") return row < view.images.length ? {
@@ -7090,12 +7245,14 @@ function withGivenPoints(state) {
 	const { chosen } = selection;
 	const given = givenBeside(shown.view, state);
 	const stays = chosen?.kind !== "given" || given.some(({ name }) => name === chosen.name);
-	if (given === shown.given && stays) return state;
+	const asGiven = coordinatesOf(state.options.control);
+	if (given === shown.given && asGiven === shown.asGiven && stays) return state;
 	return {
 		...state,
 		shown: {
 			...shown,
-			given
+			given,
+			asGiven
 		},
 		selection: stays ? selection : {
 			...selection,
@@ -7147,11 +7304,13 @@ function reduced(state, action) {
 		case "point":
 		case "filter": {
 			const selection = reduceSelection(state.selection, action);
-			const draft = action.type === "choose" && state.draft?.of != null ? null : state.draft;
-			return selection === state.selection ? state : {
-				...state,
-				selection,
-				draft
+			if (selection === state.selection) return state;
+			return {
+				...action.type === "choose" && state.draft?.of != null ? reduceEdits(state, {
+					type: "accept",
+					leaves: true
+				}) : state,
+				selection
 			};
 		}
 		case "showImages":
@@ -7172,6 +7331,7 @@ function reduced(state, action) {
 		case "edited":
 		case "editRefused":
 		case "draft":
+		case "accept":
 		case "mark":
 		case "gotoMark":
 		case "marks": return reduceEdits(state, action);
@@ -7212,32 +7372,43 @@ function reduced(state, action) {
 			notice: action.notice
 		};
 		case "onGround": return state.shown === null ? state : onGround$1(state, state.shown, action);
-		case "openedFile": return {
-			...state,
-			...blank(state),
-			panes: panesInOtherView(state.panes, null, action.view),
-			...UNEDITED,
-			history: {
-				edits: action.edits.map((edit) => [edit]),
-				done: action.edits.length
-			},
-			marks: NO_HISTORY,
-			removed: [],
-			truth: null,
-			running: { kind: "no" },
-			shown: {
-				key: "",
-				view: action.view,
-				given: NONE_GIVEN,
-				found: action.view,
-				tiePoints: "",
-				edits: action.edits,
-				files: [],
-				steps: {},
-				seconds: 0,
-				ground: null
-			}
-		};
+		case "openedFile": {
+			const opened = {
+				...state,
+				...blank(state),
+				options: action.options,
+				refused: null,
+				panes: panesInOtherView(state.panes, null, action.view),
+				...UNEDITED,
+				history: {
+					edits: action.edits.map((edit) => [edit]),
+					done: action.edits.length
+				},
+				marks: NO_HISTORY,
+				removed: [],
+				truth: null,
+				running: { kind: "no" },
+				shown: {
+					key: "",
+					view: action.view,
+					given: NONE_GIVEN,
+					found: action.view,
+					tiePoints: "",
+					edits: action.edits,
+					files: [],
+					steps: {},
+					seconds: 0,
+					ground: null
+				}
+			};
+			return {
+				...opened,
+				shown: opened.shown && {
+					...opened.shown,
+					key: openedKey(opened)
+				}
+			};
+		}
 		case "restored": {
 			const { former, history, shown } = action.restored;
 			const awaiting = awaitingAgain(former, history, shown);
@@ -7949,7 +8120,10 @@ var Measuring = class {
 	toggle(anew) {
 		const { state } = this.store;
 		if (state.draft !== null || !isEditable(state) || state.shown === null) {
-			this.set(null);
+			this.store.dispatch({
+				type: "accept",
+				leaves: true
+			});
 			return;
 		}
 		const { chosen } = state.selection;
@@ -8035,10 +8209,10 @@ var Measuring = class {
 		else this.place(pane, this.expected(pane) ?? middle);
 	}
 	accept() {
-		const { draft, shown, history } = this.store.state;
-		const names = shown?.view.images.map(({ name }) => name) ?? [];
-		const step = draft === null ? null : stepOfDraft(draft, names, history.done, this.added());
-		if (step !== null) this.store.dispatch(step);
+		this.store.dispatch({
+			type: "accept",
+			leaves: false
+		});
 	}
 	leave() {
 		if (this.draft === null) return false;
@@ -10527,6 +10701,7 @@ async function copyOf(file) {
 	}
 }
 // www/block/view/map/map.ts
+var BETWEEN = "; ";
 var BlockMap = class extends Chart {
 	facts;
 	thumbs = new Thumbs(() => this.layers.redraw());
@@ -10743,10 +10918,13 @@ var BlockMap = class extends Chart {
 		context.font = "11px system-ui, sans-serif";
 		context.textAlign = "start";
 		const text = say("drawn-longer", {
-			parts: parts.join("; "),
+			parts: parts.join(BETWEEN),
 			factor
 		});
-		haloed(context, colours, asSentence(text.charAt(0).toUpperCase() + text.slice(1)), 12, this.layers.height - 38);
+		const whole = text.charAt(0).toUpperCase() + text.slice(1);
+		const { width, height } = this.layers;
+		const lines = context.measureText(whole).width <= width - 24 ? [whole] : whole.split(BETWEEN);
+		for (const [i, line] of lines.reverse().entries()) haloed(context, colours, asSentence(line), 12, height - 38 - 14 * i);
 	}
 	paintOutline(context, colours) {
 		if (this.outline.length === 0) return;
@@ -12024,7 +12202,7 @@ var ImageOver = class {
 	}
 };
 // www/block/view/orthophoto/plan.ts
-var SYSTEM = "surveyed";
+var SYSTEM$1 = "surveyed";
 var VERDICTS$1 = {
 	placed: ACCEPTED.colour,
 	weak: "#ffb000",
@@ -12199,8 +12377,8 @@ var OrthophotoPlan = class extends LinkPicture {
 		else this.paintPlaced(context, colours, t, clip);
 		this.paintWaiting(context, colours, t);
 		if (this.store.state.placing.adds) drawCross(context, [width / 2, height / 2], MEASURED.colour);
-		paintScale(context, colours, t, height, SYSTEM, null, unitOfOrthophoto(this.store.state.placing.orthophoto));
-		paintNorth(context, colours, width, SYSTEM);
+		paintScale(context, colours, t, height, SYSTEM$1, null, unitOfOrthophoto(this.store.state.placing.orthophoto));
+		paintNorth(context, colours, width, SYSTEM$1);
 	}
 	paintPlaced(context, colours, t, clip) {
 		const { chosen, pointed, uses } = this.store.state.placing;
@@ -13997,7 +14175,10 @@ function sectionsOf(shown, off, written) {
 function onGround(shown, off, written) {
 	const { view, ground } = shown;
 	if (view.orthophoto === null) return null;
-	return section(say("orthophoto"), "block-on-orthophoto", h("p", {}, written(view.orthophoto.text)), ground === null ? null : h("p", { class: "buttons" }, off));
+	return section(say("orthophoto"), "block-on-orthophoto", h("p", {}, written(view.orthophoto.text)), ground === null ? null : h("p", { class: "buttons" }, off), ground === null || ground.verdicts.length === 0 ? null : reasons(ground.verdicts.map(({ name, verdict }) => ({
+		name,
+		reason: written(message("placing_verdict", verdict))
+	}))));
 }
 function placedOf(state) {
 	const tried = placedFiles(state);
@@ -14234,6 +14415,7 @@ function cameraTable({ cameras, found }) {
 	}, head, h("tbody", {}, ...cameras.map((camera, i) => row(`${String(i + 1)}: ${camera.label.replace(/(\d) x (?=\d)/gu, "$1 × ")}`, number(count(camera.images)), number(given(camera)), number(camera.calibrated === null ? "–" : `${fixed(camera.calibrated.focal_px, 1)}${camera.focalErrorPx === null ? "" : ` ± ${fixed(camera.focalErrorPx, 1)}`}`))))));
 }
 // www/block/panel/settings.ts
+var SYSTEM = "placing.crs";
 function mountSettings(host, store, files, opener) {
 	store.watch(["catalogue"], ([catalogue]) => {
 		if (catalogue === null) return;
@@ -14264,7 +14446,10 @@ function mountSettings(host, store, files, opener) {
 		const [back, method, ...others] = sections.elements;
 		fill(host, back ?? null, method ?? null, positions(store), waiting(files), besides(store, files), ...others);
 		store.watch((s) => [s.options.settings], ([settings]) => {
-			if (settings !== null) sections.show(settings, acting_block_parameters(settings));
+			if (settings === null) return;
+			sections.show(settings, acting_block_parameters(settings));
+			const { crs } = problemsOf(store.state);
+			if (crs !== void 0) sections.controls.find(({ parameter }) => parameter.key === SYSTEM)?.refuse(readable(catalogue.labels, crs));
 		});
 	});
 }
@@ -14636,19 +14821,25 @@ function offering(state, actions, answer) {
 	};
 }
 function offered(state, { decide }) {
+	const lies = !isHeldByHand(state) && state.shown?.view.surveyed.some(({ role, isUsed }) => role === "control" && isUsed) === true;
+	const place = {
+		text: say("place-the-block-on-the"),
+		act: () => decide("block")
+	};
 	return {
-		more: [toBePlacedText(state, say("a-block-on-an-orthophoto")), state.placing.heights.kind === "level" ? heightsText(state) : ""].join(" ").trim(),
-		next: {
-			text: say("place-the-block-on-the"),
-			act: () => decide("block")
-		},
-		others: [{
-			text: say("place-each-image"),
-			act: () => decide("images")
-		}, {
-			text: state.shown?.view.surveyed.some(({ role }) => role === "control") === true ? say("only-under-the-map") : say("not-now"),
-			act: () => decide("map")
-		}]
+		more: [lies ? say("control-places-the-block") : toBePlacedText(state, say("a-block-on-an-orthophoto")), state.placing.heights.kind === "level" ? heightsText(state) : ""].join(" ").trim(),
+		...lies ? {} : { next: place },
+		others: [
+			...lies ? [place] : [],
+			{
+				text: say("place-each-image"),
+				act: () => decide("images")
+			},
+			{
+				text: lies ? say("only-under-the-map") : say("not-now"),
+				act: () => decide("map")
+			}
+		]
 	};
 }
 function toBePlacedText(state, text) {
@@ -14774,7 +14965,7 @@ function answered(state, shown, actions) {
 			kind: sound ? "done" : "partial",
 			verdict: view.verdict?.kind ?? "weak",
 			text: view.verdict?.text ?? "",
-			more: view.orthophoto !== null && isInSystemOf(view) ? view.orthophoto.text : countsOf(shown),
+			more: [view.orthophoto !== null && isInSystemOf(view) ? view.orthophoto.text : countsOf(shown), lackingText(state)].join(" ").trim(),
 			figures: figuresOf(view),
 			next: sound ? next : why
 		};

@@ -2201,6 +2201,9 @@ function forgetCalibration(label) {
 function cameraOfPair({ camera }) {
 	return cameraFrom(camera, "xmp_calibration");
 }
+// www/shared/state/pane.ts
+var STEPS_OF_PX = 100;
+var roundedPx = (value) => Math.round(value * STEPS_OF_PX) / STEPS_OF_PX;
 // www/shared/panel/choice.ts
 var VECTOR_FACTORS = [
 	0,
@@ -2339,9 +2342,6 @@ function undoKeys(isActive, step) {
 		if (act(`Ctrl+${event.shiftKey ? "Shift+" : ""}${key.toUpperCase()}`, event.shiftKey)) event.preventDefault();
 	});
 }
-// www/shared/state/pane.ts
-var STEPS_OF_PX = 100;
-var roundedPx = (value) => Math.round(value * STEPS_OF_PX) / STEPS_OF_PX;
 // www/shared/view/gestures.ts
 var CLICK_SLACK = 5;
 var KEY_PAN = 60;
@@ -5503,8 +5503,13 @@ function answerCard(host, line, buttons, prefix) {
 		more.setAttribute("aria-expanded", String(open));
 	};
 	const scrolled = new ResizeObserver((entries) => {
-		for (const { target } of entries) if (target !== line) byKeys(target);
-		const isCut = [host, ...line.children].some(({ clientHeight, scrollHeight }) => clientHeight > 0 && scrollHeight > clientHeight + 1);
+		for (const { target } of entries) if (target !== line || getComputedStyle(line).overflowY !== "visible") byKeys(target);
+		else line.removeAttribute("tabindex");
+		const isCut = [
+			host,
+			line,
+			...line.children
+		].some(({ clientHeight, scrollHeight }) => clientHeight > 0 && scrollHeight > clientHeight + 1);
 		more.hidden = !host.classList.contains("is-open") && !isCut;
 	});
 	more.hidden = true;

@@ -3912,6 +3912,56 @@
 		copy.set(of);
 		return copy;
 	}
+	// www/block/engine/project-input.ts
+	var BEGINNING = "{\"block\":{\"input\":";
+	var GEOID = ",\"geoid\":";
+	var END = /\}\}\s*$/u;
+	var [LINE_END, QUOTE, BACKSLASH, OPENS, CLOSES] = [..."\n\"\\{}"].map((sign) => sign.charCodeAt(0));
+	function projectInputOf(file, block) {
+		const bytes = startOf(file) === null ? new TextEncoder().encode(block.project()) : file;
+		const start = startOf(bytes);
+		if (start === null) throw new Error("no input is held");
+		const input = JSON.parse(new TextDecoder().decode(bytes.subarray(start, endOfObject(bytes, start))));
+		return {
+			input,
+			geoid: input.geoid === void 0 ? null : geoidOf(bytes)
+		};
+	}
+	function startOf(bytes) {
+		const line = bytes.indexOf(LINE_END ?? 0) + 1;
+		const start = line + 18;
+		return new TextDecoder().decode(bytes.subarray(line, start)) === BEGINNING ? start : null;
+	}
+	function endOfObject(bytes, start) {
+		let depth = 0;
+		let quoted = false;
+		for (let at = start; at < bytes.length; at++) {
+			const sign = bytes[at];
+			if (quoted && sign === BACKSLASH) at++;
+			else if (sign === QUOTE) quoted = !quoted;
+			else if (!quoted && sign === OPENS) depth++;
+			else if (!quoted && sign === CLOSES && --depth === 0) return at + 1;
+		}
+		return bytes.length;
+	}
+	function geoidOf(bytes) {
+		const tail = new TextDecoder().decode(bytes.subarray(-16777216));
+		const at = tail.lastIndexOf(`${GEOID}{`);
+		return at < 0 ? null : gtxOf(JSON.parse(tail.slice(at + 9).replace(END, "")));
+	}
+	function gtxOf({ south_west_deg: [west, south], step_deg: [east, north], columns, heights_m: heights }) {
+		const HEAD = 40;
+		const file = new DataView(new ArrayBuffer(HEAD + 4 * heights.length));
+		for (const [i, degrees] of [
+			south,
+			west,
+			north,
+			east
+		].entries()) file.setFloat64(8 * i, degrees);
+		for (const [i, count] of [heights.length / columns, columns].entries()) file.setInt32(32 + 4 * i, count);
+		for (const [i, height] of heights.entries()) file.setFloat32(HEAD + 4 * i, height);
+		return new Uint8Array(file.buffer);
+	}
 	// www/block/engine/session.ts
 	var held$1 = null;
 	var found = null;
@@ -3953,7 +4003,8 @@
 		const block = FinishedBlock.open(bytes);
 		return {
 			view: hold$1(block, truth, "another"),
-			edits: block.edits()
+			edits: block.edits(),
+			made: projectInputOf(bytes, block)
 		};
 	}
 	function blockEdited({ edits, truth }) {

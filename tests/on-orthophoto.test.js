@@ -76,7 +76,10 @@ test('photographs with an orthophoto are a block where it has heights, else each
   assert.equal(purposeOf(page.reducer.reduceBlock(asked, { type: 'purpose', purpose: 'map' })), 'map');
   // One that was made of the block, and a block that came in the system of an orthophoto, ask nothing.
   assert.equal(purposeOf(page.reducer.reduceBlock(finished, { type: 'orthophoto', orthophoto: orthophoto(9, 'key') })), 'images');
-  const opened = after({ type: 'openedFile', view: view([], { orthophoto: { kind: 'linked', text: '' } }), edits: [], options: page.state.BLOCK_INITIAL.options }, ...given);
+  const opened = after(
+    { type: 'openedFile', view: view([], { orthophoto: { kind: 'linked', text: '' } }), edits: [], options: page.state.BLOCK_INITIAL.options },
+    ...given,
+  );
   assert.equal(purposeOf(opened), 'map');
   assert.ok(!page.purpose.lacksPlaceAlone(page.reducer.reduceBlock(opened, { type: 'purpose', purpose: 'block' })));
   // What could not be oriented as a block.
