@@ -7,8 +7,12 @@
 use super::precision::{ImageErrors, image_errors, point_errors, written};
 use crate::crs::{CoordinateSystem, HeightZero};
 use crate::math::{dot3, median};
+use crate::pipeline::is_place_of_orthophoto;
 use crate::text::shorten;
-use crate::{BlockImage, BlockModel, BlockRun, LeftOut, Pose, ReconstructedModel, Remark, SurveyedPoint, geographic_from_local};
+use crate::{
+    BlockImage, BlockModel, BlockRun, LeftOut, Pose, ReconstructedModel, Remark, SurveyedPoint, geographic_from_local,
+    parse_ground_control_points,
+};
 use serde::Serialize;
 use std::borrow::Cow;
 
@@ -154,8 +158,10 @@ impl<'a> InSystem<'a> {
     fn gnss_without_system(&self) -> Option<Remark> {
         let BlockRun { input, model, images, .. } = self.run;
         let positions = images.iter().filter(|image| image.gnss().is_some()).count();
-        (input.use_gnss && input.control.is_some() && model.origin.is_none() && positions > 0)
-            .then_some(Remark::GnssWithoutSystem { positions })
+        let mut rows = input.control.iter().flat_map(|texts| parse_ground_control_points(&texts.points).unwrap_or_default());
+        // Places of an orthophoto are in its system.
+        let has_control = rows.any(|row| row.role.is_some() && !is_place_of_orthophoto(&row.name));
+        (input.use_gnss && has_control && model.origin.is_none() && positions > 0).then_some(Remark::GnssWithoutSystem { positions })
     }
 
     /// How much higher the GNSS positions are than where the block has them, where their heights take no part: the median.

@@ -118,7 +118,7 @@ test('check points alone stand beside an orthophoto; what differs alike from it 
   // Control points keep a block off an orthophoto that they contradict.
   const contradicted = call('control', 6);
   assert.equal(contradicted.orthophoto.kind, 'not_linked', JSON.stringify(contradicted.orthophoto));
-  assert.match(contradicted.orthophoto.text, /the ground control points contradict it\. .*-[567]\.\d\d m in height/);
+  assert.match(contradicted.orthophoto.text, /the ground control points contradict it\. .* [567]\.\d\d m below where they have it/);
 });
 
 test('an orthophoto of elsewhere leaves the block as it was, and the exit code says so', () => {
