@@ -324,7 +324,15 @@ test('surveyed points place the block', () => {
   assert.match(outside('-500,9'), /got \(-500, 9\) for P0 in photo_00000\.png, outside any image/);
   assert.match(outside('500,99999'), /got \(500, 99999\) for P0 in photo_00000\.png, outside the image; allowed: positions within its/);
   const uses = points.map(({ name, at: place }, i) => [name, ...place, i === 3 ? 'check' : 'control'].join());
-  const checked = ran(...known, '--control', file(at, 'uses.csv', `name,x,y,z,use\n${uses.join('\n')}\n`), '--marks', file(at, 'marks.csv', marks.join('\n')));
+  const checked = ran(
+    '--gps',
+    'ignore',
+    ...known,
+    '--control',
+    file(at, 'uses.csv', `name,x,y,z,use\n${uses.join('\n')}\n`),
+    '--marks',
+    file(at, 'marks.csv', marks.join('\n')),
+  );
   const { checks } = checked.summary.orientation.models[0];
   assert.ok(checks.points === 1 && checks.ratio < 4 && checks.rmse_m.every((/** @type {number} */ rmse) => rmse < 4), JSON.stringify(checks));
   const table = readFileSync(join(checked.out, 'surveyed.csv'), 'utf8').trimEnd().split('\n');
@@ -333,7 +341,8 @@ test('surveyed points place the block', () => {
     ['P0 control', 'P1 control', 'P2 control', 'P3 check'],
   );
   const feet = file(at, 'feet.csv', points.map(({ name, at: place }) => [name, ...place.map((v) => v * 3.28084)].join()).join('\n'));
-  const { warnings } = ran(...known, '--control', feet, '--marks', file(at, 'marks.csv', marks.join('\n'))).summary.orientation.models[0];
+  const inFeet = tiepoint(...BLOCK.call, '--out', half(), ...known, '--control', feet, '--marks', file(at, 'marks.csv', marks.join('\n')), '--json');
+  const { warnings } = JSON.parse(inFeet.stdout).orientation.models[0];
   assert.ok(
     warnings.some((/** @type {{ text: string }} */ { text }) =>
       /The GCPs make the block 3\.\d times as large as the GNSS positions: are they in feet\?/.test(text),
