@@ -4360,6 +4360,50 @@ function framesStep(state) {
 	if (purposeOf(state) === "images" || !awaitsFrames(film, state.files)) return "";
 	return film.camera === null ? say("marks-need-their-camera") : say("press-frames", { make: say("make-frames") });
 }
+// www/block/state/of-file.ts
+var PROJECT_FILE = /\.tiepoint$/iu;
+function defaultOptions({ catalogue }) {
+	return {
+		...BLOCK_INITIAL.options,
+		settings: catalogue?.defaults ?? null
+	};
+}
+function areDefault({ catalogue, options: { settings, gps, cameras, control, marks, positions, masks, geoid } }) {
+	const noFile = cameras === null && control === null && marks === null && positions === null && masks.length === 0 && geoid === null;
+	return (settings === null || settings === catalogue?.defaults) && gps === "use" && noFile;
+}
+function areOfFile({ shown, options }) {
+	const { cameras, control, marks, positions } = options;
+	return shown?.files.length === 0 || [
+		cameras,
+		control,
+		marks,
+		positions
+	].some((text) => text !== null && PROJECT_FILE.test(text.name));
+}
+function imagesFor({ shown, files }, view) {
+	const named = new Set(view.images.map(({ name }) => name));
+	return shown === null ? files.filter(({ name }) => named.has(name)) : [];
+}
+function isReplaced(state, view) {
+	return state.shown !== null || !areDefault(state) || imagesFor(state, view).length < state.files.length;
+}
+function placingFor({ placing }, files) {
+	const { orthophoto, placed, film, options } = placing;
+	const stay = new Set(files.map(({ id }) => id));
+	if (orthophoto !== null && orthophoto.ofBlock !== null) return {
+		...NO_PLACING,
+		film,
+		options
+	};
+	return {
+		...placing,
+		placed: new Map([...placed].filter(([id]) => stay.has(id))),
+		chosen: NO_PLACING.chosen,
+		pointed: NO_PLACING.pointed,
+		draft: null
+	};
+}
 // www/block/files/frames.ts
 var LISTED$3 = 3;
 async function takeFrames(store, engine, here) {
@@ -5154,7 +5198,8 @@ var SimulatedFiles = class {
 				});
 				return false;
 			}
-			if (stays || this.store.state.history.edits.length + this.store.state.marks.edits.length > 0 || this.store.state.placing.orthophoto !== null) this.store.dispatch({ type: "clear" });
+			const { state } = this.store;
+			if (stays || state.history.edits.length + state.marks.edits.length > 0 || state.placing.orthophoto !== null || areOfFile(state)) this.store.dispatch({ type: "clear" });
 			this.store.dispatch({
 				type: "files",
 				files: files.map((file) => ({
@@ -5233,7 +5278,6 @@ var Telling = class {
 	}
 };
 // www/block/files/files.ts
-var PROJECT = /\.tiepoint$/iu;
 var GEOID = /\.gtx$/iu;
 var NEEDS_MORE = say("a-block-needs-two-images");
 var WAITS = "tiepoint-wait";
@@ -5297,7 +5341,7 @@ var BlockFiles = class {
 			return;
 		}
 		const alone = found.filter(({ path }) => path === "");
-		const project = alone.find(({ file }) => PROJECT.test(file.name));
+		const project = alone.find(({ file }) => PROJECT_FILE.test(file.name));
 		const film = await this.beside.ofFilm(alone.map(({ file }) => file), here);
 		here();
 		const said = [
@@ -5397,6 +5441,7 @@ var BlockFiles = class {
 			try {
 				const { view, edits, made, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
 				here();
+				const options = optionsOf(made, file.name);
 				const edited = await this.aside.leave(say("open-the-other-project"), here);
 				if (edited === null) {
 					this.store.dispatch({
@@ -5405,14 +5450,14 @@ var BlockFiles = class {
 					});
 					return;
 				}
-				const stays = edited || this.store.state.shown !== null && await this.aside.putAside();
+				const stays = edited || isReplaced(this.store.state, view) && await this.aside.putAside();
 				here();
 				hold();
 				this.store.dispatch({
 					type: "openedFile",
 					view,
 					edits,
-					options: optionsOf(made, file.name)
+					options
 				});
 				const former = stays ? say("the-former-block-stays-under") : "";
 				this.telling.tell("info", say("was-opened-the-file-does", {
@@ -5488,9 +5533,10 @@ function images$1(count) {
 }
 // www/block/state/kept.ts
 function isBlank({ catalogue, files, shown, options, flight, placing }) {
-	const { settings, gps, cameras, control, marks, positions, masks, geoid } = options;
-	const noFile = cameras === null && control === null && marks === null && positions === null && masks.length === 0 && geoid === null;
-	const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === "use" && noFile && placing.options === catalogue?.placing;
+	const untouched = areDefault({
+		catalogue,
+		options
+	}) && flight === catalogue?.flight && placing.options === catalogue?.placing;
 	return catalogue === null || files.length === 0 && shown === null && placing.orthophoto === null && placing.film.camera === null && placing.film.marks.length === 0 && untouched;
 }
 // www/block/files/edit.ts
@@ -7373,9 +7419,12 @@ function reduced(state, action) {
 		};
 		case "onGround": return state.shown === null ? state : onGround$1(state, state.shown, action);
 		case "openedFile": {
+			const files = imagesFor(state, action.view);
 			const opened = {
 				...state,
 				...blank(state),
+				files,
+				placing: placingFor(state, files),
 				options: action.options,
 				refused: null,
 				panes: panesInOtherView(state.panes, null, action.view),
@@ -7427,7 +7476,7 @@ function reduced(state, action) {
 		case "clear": return {
 			...BLOCK_INITIAL,
 			catalogue: state.catalogue,
-			options: state.options,
+			options: areOfFile(state) ? defaultOptions(state) : state.options,
 			flight: state.flight,
 			placing: {
 				...NO_PLACING,

@@ -118,3 +118,38 @@ test('masks that an opened project file names and does not hold are asked for be
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test('a project file takes the place of a block, and of what waits to be run: neither its images nor its settings are those of the other one', {
+  skip: SKIP,
+}, async () => {
+  const { page, complaints, close } = await block();
+  const crs = page.locator('input[data-key="placing.crs"]').first();
+  await photos(page);
+  await crs.fill(CRS);
+  await crs.blur();
+  await part(page, 'block-run').click();
+  await status(page, /^(Oriented|Weak orientation): /);
+  const project = await savedProject(page);
+  // The images of the block that was shown have the names of those of the file, and stay with it.
+  await part(page, 'block-files-input').setInputFiles(upload('survey.tiepoint', project));
+  await status(page, /survey\.tiepoint was opened.* The former block stays under Projects\./);
+  assert.equal(await crs.inputValue(), CRS);
+  assert.ok(await part(page, 'block-run').isDisabled());
+  await photos(page, FLIGHT, /All images of the block are there/);
+  // Without its block the settings of a file are those of nothing.
+  await part(page, 'block-clear').click();
+  await status(page, /stays under Projects\./);
+  assert.equal(await crs.inputValue(), '');
+  // Images and settings that wait are kept where they are replaced.
+  await photos(page);
+  await crs.fill('EPSG:25832');
+  await crs.blur();
+  await part(page, 'block-files-input').setInputFiles(upload('survey.tiepoint', project));
+  await status(page, /survey\.tiepoint was opened.* The former block stays under Projects\./);
+  assert.equal(await crs.inputValue(), CRS);
+  await part(page, 'projects').click();
+  await page.locator('[data-testid="project"]:not([aria-current]) .link').first().click();
+  await page.waitForFunction(() => /** @type {HTMLInputElement | null} */ (document.querySelector('input[data-key="placing.crs"]'))?.value === 'EPSG:25832');
+  assert.deepEqual(complaints, []);
+  await close();
+});

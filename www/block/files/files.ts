@@ -11,6 +11,7 @@ import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
 import { awaitsFrames, stemOf } from '../state/film';
 import { framesStep } from '../state/frames-step';
+import { isReplaced, PROJECT_FILE } from '../state/of-file';
 import { asksPurpose, purposeOf } from '../state/purpose';
 import type { BlockFile, BlockState } from '../state/state';
 import { BlockActions } from './actions';
@@ -25,7 +26,6 @@ import type { BlockRuns } from './runs';
 import { SimulatedFiles } from './simulated';
 import { Telling } from './told';
 
-const PROJECT = /\.tiepoint$/iu;
 const GEOID = /\.gtx$/iu;
 const NEEDS_MORE = say('a-block-needs-two-images');
 
@@ -106,7 +106,7 @@ export class BlockFiles {
       return;
     }
     const alone = found.filter(({ path }) => path === '');
-    const project = alone.find(({ file }) => PROJECT.test(file.name));
+    const project = alone.find(({ file }) => PROJECT_FILE.test(file.name));
     const film = await this.beside.ofFilm(
       alone.map(({ file }) => file),
       here,
@@ -209,15 +209,17 @@ export class BlockFiles {
       try {
         const { view, edits, made, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
         here();
+        // What is refused of the file is refused while the former block is held.
+        const options = optionsOf(made, file.name);
         const edited = await this.aside.leave(say('open-the-other-project'), here);
         if (edited === null) {
           this.store.dispatch({ type: 'notice', notice: null });
           return;
         }
-        const stays = edited || (this.store.state.shown !== null && (await this.aside.putAside()));
+        const stays = edited || (isReplaced(this.store.state, view) && (await this.aside.putAside()));
         here();
         hold();
-        this.store.dispatch({ type: 'openedFile', view, edits, options: optionsOf(made, file.name) });
+        this.store.dispatch({ type: 'openedFile', view, edits, options });
         const former = stays ? say('the-former-block-stays-under') : '';
         this.telling.tell('info', say('was-opened-the-file-does', { name: file.name, former }));
       } catch (error) {

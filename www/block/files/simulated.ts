@@ -3,6 +3,7 @@ import type { BlockFlight } from '../../../pkg/wasm/tiepoint.js';
 import type { Here, TakeHere } from '../../shared/files/leaving';
 import { say } from '../../shared/text/words';
 import type { BlockEngine, BlockStore } from '../engine/engine';
+import { areOfFile } from '../state/of-file';
 import type { PlacingEngine } from '../engine/placing';
 import type { BlockAside } from './aside';
 import type { GroundFiles } from './ground';
@@ -79,8 +80,9 @@ export class SimulatedFiles {
         return false;
       }
       // What stays in the list is not shown any more. A block with edits would lend them to the images of the next one, which have the same names; its
-      // orthophoto shows other ground.
-      if (stays || this.store.state.history.edits.length + this.store.state.marks.edits.length > 0 || this.store.state.placing.orthophoto !== null)
+      // orthophoto shows other ground; a project file would lend its settings.
+      const { state } = this.store;
+      if (stays || state.history.edits.length + state.marks.edits.length > 0 || state.placing.orthophoto !== null || areOfFile(state))
         this.store.dispatch({ type: 'clear' });
       this.store.dispatch({ type: 'files', files: files.map((file) => ({ ...file, id: newId() })), truth });
       return true;

@@ -3,6 +3,7 @@ import type { BlockScore, OrthophotoInfo, PlacingOptions } from '../../../pkg/wa
 import type { GivenFilm } from './film';
 import type { OnGround, Purpose, RasterFile } from './placing';
 import type { BlockFile, BlockOptions, BlockState, Steps } from './state';
+import { areDefault } from './of-file';
 
 /** A file that is kept by itself, under a name that does not change. */
 export type KeptFile = Omit<BlockFile, 'file'> & { file: string };
@@ -56,9 +57,7 @@ export type RestoredBlock = Pick<
 
 /** Whether there is nothing yet that would have to be kept. */
 export function isBlank({ catalogue, files, shown, options, flight, placing }: BlockState): boolean {
-  const { settings, gps, cameras, control, marks, positions, masks, geoid } = options;
-  const noFile = cameras === null && control === null && marks === null && positions === null && masks.length === 0 && geoid === null;
-  const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === 'use' && noFile && placing.options === catalogue?.placing;
+  const untouched = areDefault({ catalogue, options }) && flight === catalogue?.flight && placing.options === catalogue?.placing;
   return (
     catalogue === null ||
     (files.length === 0 && shown === null && placing.orthophoto === null && placing.film.camera === null && placing.film.marks.length === 0 && untouched)

@@ -14,6 +14,7 @@ import { coordinatesOf } from './marks';
 import { panesInOtherView, reducePanes } from './panes';
 import type { PanesAction } from './panes';
 import type { RestoredBlock } from './kept';
+import { areOfFile, defaultOptions, imagesFor, placingFor } from './of-file';
 import { NO_PLACING, reducePlacing } from './placing';
 import type { OnGround, PlacingAction } from './placing';
 import { inOtherView, NOTHING_SELECTED, reduceSelection } from './selection';
@@ -152,9 +153,12 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
     case 'onGround':
       return state.shown === null ? state : onGround(state, state.shown, action);
     case 'openedFile': {
+      const files = imagesFor(state, action.view);
       const opened: BlockState = {
         ...state,
         ...blank(state),
+        files,
+        placing: placingFor(state, files),
         options: action.options,
         refused: null,
         panes: panesInOtherView(state.panes, null, action.view),
@@ -191,7 +195,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
       return {
         ...BLOCK_INITIAL,
         catalogue: state.catalogue,
-        options: state.options,
+        options: areOfFile(state) ? defaultOptions(state) : state.options,
         flight: state.flight,
         placing: { ...NO_PLACING, options: state.placing.options },
       };
