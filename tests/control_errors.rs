@@ -357,6 +357,38 @@ fn what_all_positions_differ_by_from_the_control_is_said() {
     }
 }
 
+/// A camera height that is off by 0.6 m beside a standard error of 0.02 m must not pass as right; positions that weigh little are outvoted by the control.
+#[test]
+fn images_that_follow_precise_positions_away_from_the_control_are_no_oriented_block() {
+    for (sigma_m, off_m, follow) in [(RTK_SIGMA_M, 0.6, true), (RTK_SIGMA_M, -2.0, true), (3.0, 6.0, false)] {
+        let mut scene = flown_by(8, Some(sigma_m), 4);
+        scene.description.cameras.iter_mut().for_each(|camera| camera.free.focal = false);
+        for image in &mut scene.description.images {
+            let Some(ObservedPosition::Local { position, .. }) = &mut image.position else { unreachable!() };
+            position[2] += off_m;
+        }
+        let model = adjusted(&scene);
+        let heights = model
+            .adjusted
+            .block
+            .images
+            .iter()
+            .zip(&model.images)
+            .map(|(image, k)| image.pose.position[2] - scene.block.exposures[*k].centre[2]);
+        let mean = heights.sum::<f64>() / model.images.len() as f64;
+        println!("{sigma_m} {off_m}: {mean} {:?}", model.adjusted.images[0].position_errors);
+        let told = model.warnings.iter().find_map(|warning| match warning {
+            BlockWarning::PositionsApart { images_m, .. } => Some(*images_m),
+            _ => None,
+        });
+        let images_m = told.unwrap_or_else(|| panic!("{:?}", model.warnings));
+        assert_eq!(images_m.is_some(), follow, "{sigma_m} {off_m}: {:?}", model.warnings);
+        if let Some(images_m) = images_m {
+            assert!((images_m - mean).abs() < 0.3 * mean.abs(), "{images_m} {mean}");
+        }
+    }
+}
+
 #[test]
 fn a_wrong_check_point_is_named_and_good_ones_are_not() {
     for seed in [1, 2] {

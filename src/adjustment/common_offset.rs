@@ -28,6 +28,8 @@ pub(crate) struct CommonOffset {
     pub value: f64,
     /// Larger where residuals scatter by more than the standard errors that were stated.
     pub error: f64,
+    /// How far the images have followed it, in the median.
+    pub followed: f64,
 }
 
 impl AdjustmentResult {
@@ -60,7 +62,12 @@ impl AdjustmentResult {
             let unit_error = self.unit_error_beside(solved.unit_error, sums.dot(&offset), is_told.iter().filter(|told| **told).count());
             let beside = Beside { adjusted: self, solved, follows: &follows, offset, unit_error };
             let error = |axis: usize| unit_error * variances[axis].max(0.0).sqrt() * beside.scatter(axis);
-            Ok([0, 1, 2].map(|axis| is_told[axis].then(|| CommonOffset { value: offset[axis], error: error(axis) })))
+            let told = |axis| CommonOffset {
+                value: offset[axis],
+                error: error(axis),
+                followed: positions.followed(&follows[axis], axis) * offset[axis],
+            };
+            Ok([0, 1, 2].map(|axis| is_told[axis].then(|| told(axis))))
         })
     }
 
@@ -132,6 +139,12 @@ impl Positions<'_> {
             images[*at as usize * N + N - 3 + axis] = observed.map_or(0.0, |observed| observed.weight[axis]);
         }
         images
+    }
+
+    /// What the images of a change move by along an axis, in the median of those that have a position.
+    fn followed(&self, step: &Step, axis: usize) -> f64 {
+        let of_observed = |(image, observed): (usize, &Option<Weighted>)| observed.is_some().then(|| step.images[image][N - 3 + axis]);
+        median(&mut self.weighted.iter().enumerate().filter_map(of_observed).collect::<Vec<f64>>()).unwrap_or(0.0)
     }
 
     /// CᵀP of a change.

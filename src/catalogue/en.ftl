@@ -1034,7 +1034,10 @@ block-warning-positions-apart =
     In { $axis } all GNSS positions differ alike from what the control points say, by { FIXED($difference_m, digits: 2) } m, { FIXED($times, digits: 1) } times the standard error of this difference: { $axis ->
         [z] they and the control points may count heights from different zeros, such as the ellipsoid and sea level (--geoid-m), or
        *[other] they and the control points may be in different systems, or
-    } the positions have an offset in common (--gnss-errors offset).{ $focal ->
+    } the positions have an offset in common (--gnss-errors offset).{ $images_m ->
+        [none] {""}
+       *[other] {" "}The images have followed them by { FIXED($images_m, digits: 2) } m, which their standard errors do not cover.
+    }{ $focal ->
         [true] {" "}Focal lengths that are estimated, and the heights of the images with them, are wrong by part of it.
        *[false] {""}
     }{ $control ->

@@ -33,12 +33,14 @@ messages! {
         /// GNSS positions that do not fit.
         PositionsRejected { images: Vec<RejectedPosition> },
         /// A coordinate in which all GNSS positions differ alike from what ground control says. `difference_m`: that of the positions minus that of the
-        /// control; `times`: by its standard error. `focal`: focal lengths that are estimated follow heights. `control`: control points were refused,
-        /// which may be right.
+        /// control; `times`: by its standard error. `images_m`: how far the images have followed it, where that is beyond their standard errors. `focal`:
+        /// focal lengths that are estimated follow heights. `control`: control points were refused, which may be right.
         PositionsApart {
             axis: Axis,
             difference_m: f64,
             times: f64,
+            #[serde(default)]
+            images_m: Option<f64>,
             #[serde(default)]
             focal: bool,
             #[serde(default)]
@@ -190,9 +192,9 @@ impl BlockWarning {
             Self::Levelled { recorded, error_deg, .. } => !recorded && error_deg.is_none_or(|error| error > UNKNOWN_TURN_DEG),
             // The block is what it is without check points.
             Self::ControlElsewhere { check, .. } => !check,
-            // Heights of another zero make focal lengths wrong, and with them the heights of the images; and good control points look wrong beside precise
-            // positions. Otherwise control holds the block where it is.
-            Self::PositionsApart { focal, control, .. } => *focal || *control,
+            // Heights of another zero make focal lengths wrong, and with them the heights of the images; images follow precise positions, beside which good
+            // control points look wrong. Otherwise control holds the block where it is.
+            Self::PositionsApart { images_m, focal, control, .. } => images_m.is_some() || *focal || *control,
             // By less the positions of the files may be wrong.
             Self::PositionsElsewhere { distance_km, place_slip, .. } => *distance_km >= WRONG_PLACE_KM || place_slip.is_some(),
             Self::UnknownRotation { .. }
