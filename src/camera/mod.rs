@@ -27,7 +27,7 @@ pub(crate) use pose::{is_rotation, matrix, orthonormal, product, turn_of};
 pub use px::{Camera, FreeParameters};
 pub(crate) use rotation::nearest_rotation;
 pub use rotation::{angles_from_rotation, rotation_from_angles};
-pub(crate) use same::{USUAL_FOCAL, contradict, is_near};
+pub(crate) use same::{FARTHEST_PRINCIPAL, USUAL_FOCAL, contradict, far_principal, is_near};
 pub use uncertainty::CameraUncertainty;
 pub(crate) use uncertainty::apart_from_known;
 pub use xmp::{Attitude, DroneRecord, RtkSolution};

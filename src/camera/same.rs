@@ -18,6 +18,15 @@ pub(super) const MOST_CONTRADICTION: f64 = 0.2;
 /// Focal lengths in longer sides of the image, between which those of cameras are.
 pub(crate) const USUAL_FOCAL: [f64; 2] = [0.3, 20.0];
 
+/// So many longer sides of the image from its middle a principal point may lie: in the half of a photo it is nearer.
+pub(crate) const FARTHEST_PRINCIPAL: f64 = 0.5;
+
+/// How far from the middle of an image a principal point lies, in its longer sides; absent where that is usual.
+pub(crate) fn far_principal([x, y]: [f64; 2], [width, height]: [f64; 2]) -> Option<f64> {
+    let sides = libm::hypot(x - 0.5 * width, y - 0.5 * height) / width.max(height);
+    (!(sides <= FARTHEST_PRINCIPAL)).then_some(sides)
+}
+
 /// Whether two focal lengths of one photo contradict each other.
 pub(crate) fn contradict(one_px: f64, other_px: f64) -> bool {
     let ratio = one_px / other_px;
@@ -27,6 +36,14 @@ pub(crate) fn contradict(one_px: f64, other_px: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_principal_point_of_a_half_photo_is_usual_and_one_in_other_units_is_not() {
+        assert_eq!((far_principal([300.0, 200.0], [600.0, 400.0]), far_principal([600.0, 200.0], [300.0, 400.0])), (None, Some(1.125)));
+        // The right half of a photo of 600 px.
+        assert_eq!(far_principal([0.0, 200.0], [300.0, 400.0]), None);
+        assert!(far_principal([f64::NAN, 200.0], [300.0, 400.0]).is_some());
+    }
 
     #[test]
     fn a_fifth_contradicts_and_rounding_does_not() {

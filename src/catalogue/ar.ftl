@@ -405,6 +405,7 @@ warning-mirrored-marks = تقع العلامات الإطارية معكوسة �
 warning-unknown-camera = لا يكاد البعد البؤري يُعرف، ولا تحدده المطابقات، وقد لا تصح المجالات: أعط الكاميرا.
 warning-contradicted-focal = البعد البؤري المعطى { FIXED($given_px, digits: 0) } بكسل، لكن ملف الصورة { $side } يذكر { FIXED($file_px, digits: 0) } بكسل: هل الكاميرا لصور من قياس آخر أو عدسة أخرى أو تقريب آخر؟
 warning-doubtful-focal = البعد البؤري للصورة { $side } يساوي { SIGNIFICANT($sides, digits: 2) } من الضلع الأطول للصورة، والمعتاد من { $least } إلى { $most }: تحقق من البعد البؤري ومن قياس البكسل.
+warning-far-principal-point = تبعد النقطة الرئيسية للصورة { $side } عن وسط الصورة { SIGNIFICANT($sides, digits: 2) } من ضلعها الأطول، والمعتاد حتى { $most }: تحقق من إحداثياتها ومن وحدتها.
 warning-doubtful-distortion = تنقل تشوهات الصورة { $side } زاويةً من صورتها إلى { SIGNIFICANT($factor, digits: 2) } من بعدها عن النقطة الرئيسية، والمعتاد من { $least } إلى { $most }: تحقق من الحدود، ووحداتها مم⁻² ومم⁻⁴ ومم⁻⁶.
 warning-resized-or-cropped = في ملف الصورة { $side } بكسلات أقل مما تذكره بيانات EXIF فيه ({ $width_px } × { $height_px } لا { $taken_width_px } × { $taken_height_px }): هل غُيّر حجمها أم قُصّت؟ لا تكاد كاميرتها تُعرف، وقد لا تصح المجالات: أعط الكاميرا.
 warning-cropped = قُصّت الصورة { $side }: في ملفها { $width_px } × { $height_px } بكسل، وتذكر بيانات EXIF فيه { $taken_width_px } × { $taken_height_px }. لا تكاد كاميرتها تُعرف، وقد لا تصح المجالات: أعط الكاميرا.
@@ -501,6 +502,7 @@ overview-warning-apart = وُجّهت { $images } من الصور بمعزل ع�
 overview-warning-not-on-orthophoto = ليست الكتلة في نظام الصورة المصححة، وهي كما كانت دونها: { $not_linked }.
 overview-warning-focal-apart = البعد البؤري للكاميرا { $label } مع الصورة المصححة { FIXED($estimated_px, digits: 1) } بكسل، والمعروف { FIXED($prior_px, digits: 1) } بكسل، والفرق { FIXED($apart, digits: 1) } انحرافًا معياريًا منه: تحقق من الكاميرا والارتفاعات ووحدتها.
 overview-warning-none-oriented = لم يمكن توجيه أي صورة.
+overview-warning-doubtful-camera = لا تكاد إحدى الكاميرات تكون الصحيحة ({ $remark }).
 overview-warning-failed = لم يمكن توجيه أي صورة: { $failure }.
 
 ## Warnings about an adjusted block.
@@ -920,6 +922,7 @@ remark-doubtful-focal =
         [true] : هل هو بالمليمتر؟
        *[false] {""}
     }
+remark-far-principal-point = تبعد النقطة الرئيسية لـ{ $label } عن وسط الصورة { SIGNIFICANT($sides, digits: 2) } من ضلعها الأطول، والمعتاد حتى { $most }
 remark-contradicted-focal =
     البعد البؤري المعطى لـ{ $label } هو { SIGNIFICANT($focal_px, digits: 4) } بكسل، بينما تذكر ملفات هذه الصور { SIGNIFICANT($file_px, digits: 4) } بكسل: { $images }{ $images_more ->
         [0] {""}

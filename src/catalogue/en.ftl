@@ -895,6 +895,7 @@ warning-mirrored-marks = The fiducial marks lie mirrored in the { $side } image:
 warning-unknown-camera = The focal length is hardly known, and the matches do not determine it; the intervals may not hold: give the camera.
 warning-contradicted-focal = The given focal length is { FIXED($given_px, digits: 0) } px, but the file of the { $side } image says { FIXED($file_px, digits: 0) } px: is the camera that of another photo size, lens or zoom?
 warning-doubtful-focal = The focal length of the { $side } photo is { SIGNIFICANT($sides, digits: 2) } times the longer side of its image, where { $least } to { $most } times are usual: check the focal length and the pixel size.
+warning-far-principal-point = The principal point of the { $side } photo lies { SIGNIFICANT($sides, digits: 2) } times the longer side of its image from the middle, where up to { $most } times is usual: check its coordinates and their unit.
 warning-doubtful-distortion = The distortion of the { $side } photo takes a corner of its image to { SIGNIFICANT($factor, digits: 2) } times its distance from the principal point, where { $least } to { $most } times are usual: check the terms, which are in mm⁻², mm⁻⁴ and mm⁻⁶.
 warning-resized-or-cropped = The file of the { $side } image has fewer pixels than its EXIF data says ({ $width_px } x { $height_px }, not { $taken_width_px } x { $taken_height_px }): resized or cropped? Its camera is hardly known, and the intervals may not hold: give the camera.
 warning-cropped = The { $side } image was cropped: its file has { $width_px } x { $height_px } px, its EXIF data says { $taken_width_px } x { $taken_height_px }. Its camera is hardly known, and the intervals may not hold: give the camera.
@@ -985,6 +986,7 @@ overview-warning-apart = { $images } images are oriented apart from the others, 
 overview-warning-not-on-orthophoto = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
 overview-warning-focal-apart = With the orthophoto the focal length of { $label } is { FIXED($estimated_px, digits: 1) } px where { FIXED($prior_px, digits: 1) } px was known, { FIXED($apart, digits: 1) } standard deviations of that apart: check the camera, the heights and their unit.
 overview-warning-none-oriented = No image could be oriented.
+overview-warning-doubtful-camera = A camera is hardly the right one ({ $remark }).
 overview-warning-failed = No image could be oriented: { $failure }.
 
 ## Warnings about an adjusted block.
@@ -1419,6 +1421,7 @@ remark-doubtful-focal =
         [true] : is it in mm?
        *[false] {""}
     }
+remark-far-principal-point = the principal point of { $label } lies { SIGNIFICANT($sides, digits: 2) } times the longer side of the image from its middle, where up to { $most } times is usual
 remark-contradicted-focal =
     the focal length of { $label } is given as { SIGNIFICANT($focal_px, digits: 4) } px, where the files of these images say { SIGNIFICANT($file_px, digits: 4) } px: { $images }{ $images_more ->
         [0] {""}

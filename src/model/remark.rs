@@ -15,6 +15,8 @@ messages! {
         /// A focal length that hardly is one in px. `label`: of the camera; `sides`: the focal length in longer sides of the image, of which
         /// `least` to `most` are usual; `in_mm`: whether it is small enough to be one in mm.
         DoubtfulFocal { label: String, focal_px: f64, sides: f64, least: f64, most: f64, in_mm: bool },
+        /// A principal point that lies so many longer sides of the image from its middle, of which up to `most` are usual.
+        FarPrincipalPoint { label: String, sides: f64, most: f64 },
         /// The given focal length of a camera is another than what the files of these images say.
         ContradictedFocal { label: String, focal_px: f64, file_px: f64, images: Vec<String> },
         /// What speaks against the camera that files name.
@@ -74,6 +76,13 @@ messages! {
         NoResultSystem { crs: String },
         /// The block comes from a project file that holds less than is known of a block.
         OlderProject { version: u32 },
+    }
+}
+
+impl Remark {
+    /// Whether a camera is hardly the right one.
+    pub(crate) fn is_doubt_of_camera(&self) -> bool {
+        matches!(self, Self::DoubtfulFocal { .. } | Self::FarPrincipalPoint { .. } | Self::ContradictedFocal { .. })
     }
 }
 

@@ -152,6 +152,8 @@ messages! {
         ContradictedFocal { side: Side, given_px: f64, file_px: f64 },
         /// The focal length of a photo is hardly one of its camera: in longer sides of the image, of which `least` to `most` are usual.
         DoubtfulFocal { side: Side, sides: f64, least: f64, most: f64 },
+        /// The principal point of a photo lies so many longer sides of its image from its middle, of which up to `most` are usual.
+        FarPrincipalPoint { side: Side, sides: f64, most: f64 },
         /// The distortion of a photo takes the farthest corner of its image to `factor` times its distance from the principal point, where `least` to
         /// `most` are usual.
         DoubtfulDistortion { side: Side, factor: f64, least: f64, most: f64 },
@@ -200,6 +202,7 @@ impl Warning {
             | Self::UnknownCamera
             | Self::ContradictedFocal { .. }
             | Self::DoubtfulFocal { .. }
+            | Self::FarPrincipalPoint { .. }
             | Self::DoubtfulDistortion { .. }
             | Self::ResizedOrCropped { .. }
             | Self::Cropped { .. }

@@ -37,7 +37,10 @@ impl BlockVerdict {
         let taken_out = unoriented.filter(|image| image.reason == UnorientedReason::RejectedByHand).count();
         let few =
             ((oriented as f64) < LEAST_SHARE * (images - taken_out) as f64).then_some(OverviewWarning::FewOriented { oriented, images });
-        let weakness = overview_warnings(run).into_iter().find(OverviewWarning::is_weakness).or(few);
+        // What follows from a wrong camera is explained by it.
+        let doubted = run.remarks.iter().find(|remark| remark.is_doubt_of_camera());
+        let doubted = doubted.map(|remark| OverviewWarning::DoubtfulCamera { remark: remark.clone() });
+        let weakness = doubted.or_else(|| overview_warnings(run).into_iter().find(OverviewWarning::is_weakness)).or(few);
         match weakness {
             Some(overview_warning) => Self::Weak { oriented, images, points, overview_warning },
             None => {

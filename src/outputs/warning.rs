@@ -2,7 +2,7 @@
 
 use crate::camera::apart_from_known;
 use crate::message::messages;
-use crate::{BlockRun, BlockWarning, Failure, NotLinked, OnOrthophoto};
+use crate::{BlockRun, BlockWarning, Failure, NotLinked, OnOrthophoto, Remark};
 use serde::Serialize;
 
 messages! {
@@ -23,6 +23,8 @@ messages! {
         FocalApart { label: String, estimated_px: f64, prior_px: f64, apart: f64 },
         /// It was given an orthophoto, and is not in its system.
         NotOnOrthophoto { not_linked: NotLinked },
+        /// A camera is hardly the right one, as a remark on the input says.
+        DoubtfulCamera { remark: Remark },
         /// The orientation failed.
         Failed { failure: Failure },
     }
@@ -37,6 +39,7 @@ impl OverviewWarning {
             Self::FewOriented { .. }
             | Self::NotOnOrthophoto { .. }
             | Self::FocalApart { .. }
+            | Self::DoubtfulCamera { .. }
             | Self::NoneOriented
             | Self::Failed { .. } => true,
         }

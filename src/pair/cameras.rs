@@ -1,7 +1,7 @@
 //! The cameras of a pair, given or of its files, and what is known beside their constants.
 
 use super::no_orientation::NoOrientation;
-use crate::camera::{USUAL_FOCAL, contradict};
+use crate::camera::{FARTHEST_PRINCIPAL, USUAL_FOCAL, contradict, far_principal};
 use crate::{CameraCaution, CameraMm, Error, ExifCamera, Interior, Side, Warning};
 use serde::Serialize;
 
@@ -100,7 +100,7 @@ fn camera_of(
     let file_px = photo.exif.filter(|exif| given.is_some() && !exif.is_panorama()).and_then(|exif| Some(exif.focal_mm / exif.pixel_mm?));
     let part = of_file.and_then(|exif| doubt_of_part(side, exif));
     let doubt =
-        || doubt_of(side, camera.focal_mm / pixel_mm, file_px, photo.longer_px()).or_else(|| doubt_of_lens(side, &camera, photo.size));
+        || doubt_of(side, camera.focal_mm / pixel_mm, file_px, photo.longer_px()).or_else(|| doubt_of_rest(side, &camera, photo.size));
     Ok(Ok((camera, part.or_else(doubt))))
 }
 
@@ -109,14 +109,22 @@ fn camera_of(
 const USUAL_AT_CORNER: [f64; 2] = [0.5, 2.0];
 const USUAL_OF_FILM: [f64; 2] = [0.9, 1.1];
 
-/// What speaks against the distortion of a photo, as terms in other units do.
-fn doubt_of_lens(side: Side, camera: &CameraMm, size: (usize, usize)) -> Option<Warning> {
-    doubt_of_corner(side, &Interior::from_pixel_size(camera, size.0, size.1).ok()?, size, USUAL_AT_CORNER)
+/// What speaks against the other constants of a photo, as those in other units do.
+fn doubt_of_rest(side: Side, camera: &CameraMm, size: (usize, usize)) -> Option<Warning> {
+    let interior = Interior::from_pixel_size(camera, size.0, size.1).ok()?;
+    doubt_of_principal(side, &interior, size).or_else(|| doubt_of_corner(side, &interior, size, USUAL_AT_CORNER))
 }
 
-/// The same of a scan with its interior orientation by fiducial marks.
-pub(super) fn doubt_of_scan(side: Side, interior: &Interior, size: (usize, usize)) -> Option<Warning> {
-    doubt_of_corner(side, interior, size, USUAL_OF_FILM)
+/// The same of a scan with its interior orientation by fiducial marks, which tell how large its pixels are on the film.
+pub(super) fn doubt_of_scan(side: Side, focal_mm: f64, interior: &Interior, size: (usize, usize)) -> Option<Warning> {
+    let of_focal = || doubt_of(side, focal_mm / interior.pixel_mm(), None, size.0.max(size.1));
+    let of_rest = || doubt_of_principal(side, interior, size).or_else(|| doubt_of_corner(side, interior, size, USUAL_OF_FILM));
+    of_focal().or_else(of_rest)
+}
+
+fn doubt_of_principal(side: Side, interior: &Interior, (width, height): (usize, usize)) -> Option<Warning> {
+    let sides = far_principal(interior.principal_point_px(), [width as f64, height as f64])?;
+    Some(Warning::FarPrincipalPoint { side, sides, most: FARTHEST_PRINCIPAL })
 }
 
 fn doubt_of_corner(side: Side, interior: &Interior, (width, height): (usize, usize), [least, most]: [f64; 2]) -> Option<Warning> {
@@ -199,6 +207,20 @@ mod tests {
     }
 
     #[test]
+    fn a_principal_point_far_from_the_middle_is_doubted_and_so_is_the_focal_length_of_a_scan_in_metres() {
+        let camera = |principal_point_mm| CameraMm { principal_point_mm, ..CameraMm::without_distortion(6.0, Some(0.01)) };
+        let photo = KnownPhoto { size: (640, 480), exif: None, has_marks: false };
+        let doubt = |camera: &CameraMm| PairCameras::of(Some(camera), [photo; 2]).unwrap().unwrap().doubt;
+        let scanned = |focal_mm, camera: &CameraMm| {
+            doubt_of_scan(Side::Right, focal_mm, &Interior::from_pixel_size(camera, 640, 480).unwrap(), (640, 480))
+        };
+        let far = |side| Some(Warning::FarPrincipalPoint { side, sides: 0.625, most: 0.5 });
+        assert_eq!((doubt(&camera([3.0, 0.0])), scanned(6.0, &camera([3.0, 0.0]))), (None, None));
+        assert_eq!((doubt(&camera([4.0, 0.0])), scanned(6.0, &camera([4.0, 0.0]))), (far(Side::Left), far(Side::Right)));
+        assert!(matches!(scanned(0.006, &camera([0.0; 2])), Some(Warning::DoubtfulFocal { side: Side::Right, .. })));
+    }
+
+    #[test]
     fn a_distortion_in_other_units_is_doubted_or_refused() {
         use crate::{PhotoInput, photo_interior};
         // The corners are 4 mm from the principal point.
@@ -217,7 +239,7 @@ mod tests {
         // A scan of 80 mm is of a camera whose distortion is far smaller.
         let of_film = |k1: f64| {
             let camera = CameraMm { radial_distortion: [k1, 0.0, 0.0], ..CameraMm::without_distortion(100.0, Some(0.1)) };
-            doubt_of_scan(Side::Right, &Interior::from_pixel_size(&camera, 640, 480).unwrap(), (640, 480))
+            doubt_of_scan(Side::Right, 100.0, &Interior::from_pixel_size(&camera, 640, 480).unwrap(), (640, 480))
         };
         assert_eq!(of_film(2e-8), None);
         assert!(

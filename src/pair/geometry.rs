@@ -111,7 +111,7 @@ pub(super) fn pair_interior(
     let own = |side, camera, image: PairImage<'_>, photo: &PhotoInput| {
         let size = (image.grey.width(), image.grey.height());
         let interior = photo_interior(camera, size.0, size.1, photo)?;
-        let doubt = if photo.fiducials.is_empty() { None } else { doubt_of_scan(side, &interior, size) };
+        let doubt = if photo.fiducials.is_empty() { None } else { doubt_of_scan(side, camera.focal_mm, &interior, size) };
         Ok::<_, Error>((interior, doubt))
     };
     let (left, left_doubt) = own(Side::Left, &left_camera, left, &input.left)?;

@@ -1,6 +1,6 @@
 //! Which images share a camera, and what is known of it before its calibration.
 
-use crate::camera::{USUAL_FOCAL, camera_label, contradict, is_near};
+use crate::camera::{FARTHEST_PRINCIPAL, USUAL_FOCAL, camera_label, contradict, far_principal, is_near};
 use crate::error::refuse;
 use crate::{
     Camera, CameraRule, CameraUncertainty, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, Refusal, Remark, parse_camera_rules,
@@ -211,14 +211,20 @@ fn of_rule(rule: &CameraRule, [width_px, height_px]: [u32; 2], exif: &ExifImage)
     InitialCamera::new(format!("{}, {width_px} x {height_px} px", rule.images), &KnownCamera { pixel_mm, ..known })
 }
 
-/// Cameras whose focal length is hardly one in px.
+/// Cameras whose focal length or principal point is hardly one in px.
 pub(super) fn doubtful(cameras: &[InitialCamera]) -> impl Iterator<Item = Remark> {
-    cameras.iter().filter_map(|camera| {
-        let focal_px = camera.focal_px?;
-        let sides = focal_px / f64::from(camera.width_px.max(camera.height_px));
-        let [least, most] = USUAL_FOCAL;
-        let label = camera.label.clone();
-        (!(least..=most).contains(&sides)).then_some(Remark::DoubtfulFocal { label, focal_px, sides, least, most, in_mm: sides < least })
+    cameras.iter().flat_map(|camera| {
+        let label = || camera.label.clone();
+        let of_focal = camera.focal_px.and_then(|focal_px| {
+            let sides = focal_px / f64::from(camera.width_px.max(camera.height_px));
+            let [least, most] = USUAL_FOCAL;
+            let doubt = || Remark::DoubtfulFocal { label: label(), focal_px, sides, least, most, in_mm: sides < least };
+            (!(least..=most).contains(&sides)).then(doubt)
+        });
+        let size = [camera.width_px, camera.height_px].map(f64::from);
+        let of_principal = far_principal(camera.principal_point_px, size);
+        let of_principal = of_principal.map(|sides| Remark::FarPrincipalPoint { label: label(), sides, most: FARTHEST_PRINCIPAL });
+        of_focal.into_iter().chain(of_principal)
     })
 }
 
