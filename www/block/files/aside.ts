@@ -15,8 +15,9 @@ export class BlockAside {
    * is true then. Null where it cannot, and the user keeps it.
    */
   async leave(step: string, here: Here): Promise<boolean | null> {
-    const { shown, truth, history, marks, placing } = this.store.state;
-    const length = history.edits.length + marks.edits.length;
+    const { shown, truth, history, marks, draft, placing } = this.store.state;
+    // A point that is being measured is kept as it is.
+    const length = history.edits.length + marks.edits.length + (draft !== null && draft.places.size > 0 ? 1 : 0);
     const isFound = shown !== null && !shown.view.partial && shown.view.oriented > 0 && truth === null;
     if (length === 0 && placing.placed.size === 0 && !isFound) return false;
     const stays = await this.putAside();

@@ -59,8 +59,6 @@ export function imagesView(engine: BlockEngine, facts: Facts, addImages: () => v
           host.focus();
         },
         match: () => view.match(),
-        accept: () => view.measuring.accept(),
-        leave: () => view.measuring.leave(),
       });
       view.watch(() => {
         setText(place, placeText(store, view));
@@ -244,6 +242,7 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
     slider(say('contrast'), 'images-contrast', (contrast) => set({ contrast })),
     adding,
   );
+  const other = button(say('other-images'), 'images-other', () => view.turn(1), say('other-images-title'));
   const unfold = h('button', { type: 'button', class: 'menu-button', testid: 'images-menu' }, say('view'));
   mountMenu(unfold, more);
   store.watch(['panes', 'shown'], ([panes, shown]) => {
@@ -259,6 +258,7 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
     host.style.setProperty('--brightness', String(look.brightness));
     host.style.setProperty('--contrast', String(look.contrast));
     pair.hidden = pairOf(store) === null;
+    other.hidden = shown === null || shownImages(panes, shown.view).length >= shown.view.images.length;
     const names = shown?.view.images.map(({ name }) => name) ?? [];
     if (addSelect.dataset.names === names.join('\n')) return;
     addSelect.dataset.names = names.join('\n');
@@ -267,7 +267,7 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
   store.watch(['running', 'notice', 'placing'], () => {
     pair.disabled = isBusy(store.state);
   });
-  return h('div', { class: 'image-tools' }, points, vectors, linked, loupe, unmeasured, pair, unfold, more);
+  return h('div', { class: 'image-tools' }, points, vectors, linked, loupe, unmeasured, pair, other, unfold, more);
 }
 
 /** The two images that are shown; null where they are not two. */

@@ -3,6 +3,7 @@ import type { BlockScore, OrthophotoInfo, PlacingOptions } from '../../../pkg/wa
 import type { GivenFilm } from './film';
 import type { OnGround, Purpose, RasterFile } from './placing';
 import type { BlockFile, BlockOptions, BlockState, Steps } from './state';
+import type { KeptDraft } from './draft';
 import { areDefault } from './of-file';
 
 /** A file that is kept by itself, under a name that does not change. */
@@ -53,7 +54,7 @@ export interface KeptShown {
 export type RestoredBlock = Pick<
   BlockState,
   'files' | 'removed' | 'options' | 'flight' | 'truth' | 'shown' | 'opened' | 'history' | 'former' | 'marks' | 'placing'
->;
+> & { draft: KeptDraft | null };
 
 /** Whether there is nothing yet that would have to be kept. */
 export function isBlank({ catalogue, files, shown, options, flight, placing }: BlockState): boolean {
