@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { block, photos, status } from './blocks.js';
-import { hosted, part, SHOTS, SKIP } from './page.js';
+import { hosted, part, SHOTS, SKIP, until } from './page.js';
 
 hosted('/low-window/');
 
@@ -20,8 +20,11 @@ test('between open settings, details and table the map keeps 220 px, and rows ar
   };
   assert.ok(await page.locator('#panel-block-settings').isVisible());
   assert.ok((await box('[data-testid="block-map"]')).height >= 220);
-  const [stage, row, foot] = [await box('main.block .stage'), await box('[data-testid="block-images"] tbody tr:not(.filler)'), await box('.dock tfoot')];
-  assert.ok(row.bottom <= foot.y && foot.bottom <= stage.bottom, JSON.stringify({ stage, row, foot }));
+  // The table is drawn a moment later.
+  await until(page, 'its first row and its foot are in sight', async () => {
+    const [stage, row, foot] = [await box('main.block .stage'), await box('[data-testid="block-images"] tbody tr:not(.filler)'), await box('.dock tfoot')];
+    return row.bottom <= foot.y + 1 && foot.bottom <= stage.bottom + 1;
+  });
   await page.screenshot({ path: join(SHOTS, 'low-window.png') });
 
   await page.setViewportSize({ width: 1366, height: 600 });

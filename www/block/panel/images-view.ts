@@ -13,6 +13,7 @@ import { groundAt, photoMm } from '../state/observed';
 import { MOST_PANES, shownImages } from '../state/panes';
 import type { Look } from '../state/panes';
 import { isBusy } from '../state/state';
+import { coordinatesText } from '../state/result-system';
 import { inUnitOf } from '../state/scale';
 import type { BlockView } from '../state/view';
 import { describe } from '../state/words';
@@ -181,7 +182,7 @@ function pointText({ state }: BlockStore, view: ImagesView): string {
   const [worst] = observations.map(({ image, w }) => ({ image, w: largest(w) ?? 0 })).sort((a, b) => b.w - a.w);
   const parts = [
     name ?? `${id !== null && 'manual' in id ? say('point-by-hand') : say('tie-point')} ${count(chosen.point + 1)}`,
-    position === null ? say('not-intersected') : inUnitOf(shown, `X Y Z ${position.map((value) => fixed(value, 3)).join(' ')}`),
+    position === null ? say('not-intersected') : coordinatesText(shown, position, 3),
     errors === null ? '' : inUnitOf(shown, `± ${errors.map((value) => fixed(value, 3)).join(' ')}`),
     say('rays', {
       observations: taking,
@@ -210,7 +211,7 @@ function textOfPlace({ image, at }: At, shown: BlockView, view: ImagesView): str
   const parts = [
     say('px', { name, at: at[0], at_2: at[1] }),
     mm === null ? '' : say('mm', { mm: mm[0], mm_2: mm[1] }),
-    ground === null ? '' : say('ground-about', { join: inUnitOf(shown, ground.map((value) => fixed(value, 2)).join(' ')) }),
+    ground === null ? '' : say('ground-about', { join: coordinatesText(shown, ground, 2) }),
   ];
   return parts.filter((part) => part !== '').join(' · ');
 }
