@@ -1,7 +1,7 @@
 /** What of a block is kept in the browser's storage. */
 import type { BlockScore, OrthophotoInfo, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
 import type { GivenFilm } from './film';
-import type { OnGround, Purpose, RasterFile } from './placing';
+import type { GivenHeights, OnGround, Purpose, RasterFile } from './placing';
 import type { BlockFile, BlockOptions, BlockState, Steps } from './state';
 import type { KeptDraft } from './draft';
 import { areDefault } from './of-file';
@@ -15,7 +15,7 @@ export type KeptRaster = KeptFile & Pick<RasterFile, 'world' | 'projection'>;
 /** What was given to place images on an orthophoto. */
 export interface KeptPlacing {
   orthophoto: { raster: KeptRaster; info: OrthophotoInfo; ofBlock: string | null } | null;
-  heights: { kind: 'level'; height: number } | { kind: 'model'; model: KeptRaster };
+  heights: Extract<GivenHeights, { kind: 'level' }> | { kind: 'model'; model: KeptRaster };
   film: GivenFilm;
   options: PlacingOptions | null;
   purpose: Purpose | null;

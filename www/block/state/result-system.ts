@@ -43,19 +43,21 @@ function ownSystem(view: BlockView): ResultSystem {
   return { name: '', code: '', unit: [unit, unit], more: 0, coordinates: (positions) => positions, toBlock: null };
 }
 
-function chosenSystem({ crs, system = null, origin, geoidM, points }: BlockView): ResultSystem | null {
+/** Positions in the system of the adjustment (stride 3) in another one, with heights from where those of the block count. The block says where it lies on the earth. */
+export function inSystem({ origin, geoidM }: Pick<BlockView, 'origin' | 'geoidM'>, crs: string, positions: Float64Array): Float64Array {
+  const all = new Float64Array(positions.length + 3);
+  if (origin !== null) all.set([origin.longitude_deg, origin.latitude_deg, origin.height_m]);
+  all.set(positions, 3);
+  return system_coordinates(
+    crs,
+    geographic_positions(all).map((value, i) => (i % 3 === 2 ? value - (geoidM ?? 0) : value)),
+  );
+}
+
+function chosenSystem(view: BlockView): ResultSystem | null {
+  const { crs, system = null, origin, points } = view;
   if (system === null || crs === null || origin === null) return null;
-  const { longitude_deg, latitude_deg, height_m } = origin;
-  const coordinates = (positions: Float64Array) => {
-    const all = new Float64Array(positions.length + 3);
-    all.set([longitude_deg, latitude_deg, height_m]);
-    all.set(positions, 3);
-    const there = geographic_positions(all);
-    return system_coordinates(
-      crs,
-      there.map((value, i) => (i % 3 === 2 ? value - (geoidM ?? 0) : value)),
-    );
-  };
+  const coordinates = (positions: Float64Array) => inSystem(view, crs, positions);
   const ground = median(points.positions.filter((value, i) => i % 3 === 2 && !Number.isNaN(value)));
   const z = Number.isNaN(ground) ? 0 : ground;
   try {
