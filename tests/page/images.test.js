@@ -75,7 +75,7 @@ test('images open at a tie point in all that show it, with loupe, coordinates an
   const middle = /** @type {const} */ ([frame.x + frame.width / 2, frame.y + frame.height / 2]);
   await page.mouse.click(...middle);
   assert.equal(await says(page, 'image-point', / rays/), line);
-  assert.match(await says(page, 'image-place', / px/), /^photo_\d\.png: \d+\.\d, \d+\.\d px · ground about( [−\d][\d .]*){3}/);
+  assert.match(await says(page, 'image-place', / px/), /^photo_\d\.png: \d+\.\d, \d+\.\d px · ground about X Y Z( [−\d][\d .]*){3}/);
 
   // The loupe is in more images than the one under the pointer.
   await page.mouse.move(middle[0] + 20, middle[1] + 10);

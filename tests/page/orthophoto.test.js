@@ -392,8 +392,8 @@ test('an orthophoto in UTM lies under a block with GNSS positions, with a code o
   const made = georeferenced(picture, 32632, origin, ground);
   const [a, b, x0, d, e, y0] = made.affine;
   /** The pixels of the projection centres of the block, by the table and what the map says, beside the true ones. */
-  const centresAreTrue = async () => {
-    const toSystem = await bySystem(page, 'EPSG:32632');
+  const centresAreTrue = async (isInSystem = false) => {
+    const toSystem = isInSystem ? (/** @type {number} */ x, /** @type {number} */ y) => [x, y] : await bySystem(page, 'EPSG:32632');
     await part(page, 'tab-block-images').click();
     const rows = await page
       .locator('[data-testid="block-images"] tbody tr:not(.filler)')
@@ -417,6 +417,12 @@ test('an orthophoto in UTM lies under a block with GNSS positions, with a code o
   await part(page, 'tab-block-orthophoto').click();
   await part(page, 'block-orthophoto-input').setInputFiles([upload('utm.tif', made.tif)]);
   await says(page, 'block-orthophoto-name', /^Orthophoto utm\.tif/);
+  // Images that are placed on it lie over ground as high as that of the block.
+  const [level = NaN] = numbers(
+    /: (.*) m\.$/.exec(await says(page, 'block-heights-name', /Its height is the median of the tie points of the block/))?.[1] ?? '',
+  );
+  assert.ok(Math.abs(level - origin.height_m - ground) < 40, `level ground at ${level} m`);
+  await page.screenshot({ path: join(SHOTS, 'level-of-block.png') });
   await part(page, 'block-show-map').click();
   await says(page, 'block-layout', /Orthophoto laid under by the positions of both on the earth \(EPSG:32632\)/);
   assert.equal(await part(page, 'map-orthophoto').getAttribute('aria-pressed'), 'true');
@@ -429,6 +435,7 @@ test('an orthophoto in UTM lies under a block with GNSS positions, with a code o
   await part(page, 'tab-block-orthophoto').click();
   await part(page, 'block-orthophoto-input').setInputFiles([upload('zone.tif', georeferenced(picture, 32633, { ...origin, longitude_deg: 15 }, ground).tif)]);
   await says(page, 'block-orthophoto-name', /^Orthophoto zone\.tif/);
+  await says(page, 'block-heights-name', /^(?!.*median)None: the ground is level/);
   await part(page, 'block-show-map').click();
   await says(page, 'block-layout', /The orthophoto lies elsewhere than the block \(EPSG:32633\)/);
   assert.ok(await part(page, 'map-orthophoto').isHidden());
@@ -444,8 +451,12 @@ test('an orthophoto in UTM lies under a block with GNSS positions, with a code o
   await page.locator('input[data-key="placing.crs"]').first().fill('EPSG:32632');
   await page.locator('input[data-key="placing.crs"]').first().blur();
   await part(page, 'block-run').click();
-  await says(page, 'block-layout', /Orthophoto laid under by the positions of both on the earth \(EPSG:32632\)/);
-  await centresAreTrue();
+  await says(page, 'block-layout', /\(WGS 84 \/ UTM zone 32N\).*Orthophoto laid under by the positions of both on the earth \(EPSG:32632\)/);
+  // The table has the coordinates of the system that was chosen, with its code in the heads, and so has the map.
+  await centresAreTrue(true);
+  assert.match((await page.locator('[data-testid="block-images"] thead tr').first().textContent()) ?? '', /X EPSG:32632 m.*Y EPSG:32632 m.*Z EPSG:32632 m/);
+  await part(page, 'block-map').hover();
+  await says(page, 'map-place', /^X 4\d{5}\.\d\d +Y 55\d{5}\.\d\d m +EPSG:32632$/);
   assert.deepEqual(complaints, []);
   await close();
 });

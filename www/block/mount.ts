@@ -24,6 +24,7 @@ import { mountBlockEditKeys } from './panel/edit-keys';
 import { mountEditPanel } from './panel/edit-panel';
 import { mountExports, saveAs } from './panel/exports';
 import { BlockFiles } from './files/files';
+import { GroundFiles } from './files/ground';
 import { KeptBlocks } from './files/keep';
 import { BlockRuns } from './files/runs';
 import { mountAddress } from './panel/address';
@@ -94,7 +95,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   const engine = new BlockEngine(store);
   const placing = new PlacingEngine(store);
   const onGround = new BlockPlacing(store, engine, placing);
-  const runs = new BlockRuns(store, engine, placing, onGround);
+  const runs = new BlockRuns(store, engine, placing, onGround, new GroundFiles(store, placing));
   const kept = new KeptBlocks(store, engine, catalogue, () => {
     placing.cancel();
     onGround.cancel();

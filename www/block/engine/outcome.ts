@@ -112,6 +112,7 @@ export function viewOf(block: FinishedBlock): BlockView {
           },
     origin,
     crs,
+    system: remarks.find((remark) => remark.kind === 'result_system')?.crs ?? null,
     geoidM: geoid_m,
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,

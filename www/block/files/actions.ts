@@ -53,8 +53,8 @@ export class BlockActions {
   }
 
   private async runOf(here: Here): Promise<void> {
-    // What is placed of a point that is still measured is of this run.
-    this.store.dispatch({ type: 'accept', leaves: true });
+    // What is placed of a point that is still measured is of this run; what is too little for a point stays, and is measured on.
+    this.store.dispatch({ type: 'accept', leaves: false });
     const { shown, history } = this.store.state;
     const names = shown === null ? null : namesOf(shown.found);
     // The same files and settings give the same tie points.
@@ -90,9 +90,8 @@ export class BlockActions {
   /** Removes all images, and the block. */
   clear(): Promise<void> {
     return doHere(this.stays, async (here) => {
-      this.store.dispatch({ type: 'accept', leaves: true });
-      const { shown, history, marks } = this.store.state;
-      const isEdited = history.edits.length + marks.edits.length > 0;
+      const { shown, history, marks, draft } = this.store.state;
+      const isEdited = history.edits.length + marks.edits.length + (draft?.places.size ?? 0) > 0;
       const stays = await this.aside.leave(say('remove-all-images'), here);
       if (stays === null) return;
       this.store.dispatch({ type: 'clear' });

@@ -110,7 +110,7 @@ function pairFrom(value: unknown, name: string): [number, number] {
   return [a, b];
 }
 
-function sourceFrom(value: unknown, name: string): PointSource {
+export function sourceFrom(value: unknown, name: string): PointSource {
   const source = objectOf(value, name);
   for (const kind of ['tie_point', 'ground_control', 'manual'] as const) {
     if (source[kind] !== undefined) return { [kind]: likeOf(source[kind], 0, `${name}.${kind}`) } as PointSource;
@@ -118,7 +118,7 @@ function sourceFrom(value: unknown, name: string): PointSource {
   throw new Error(say('the-field-is-damaged', { name }));
 }
 
-function placeFrom(value: unknown, name: string): HandMeasurement {
+export function placeFrom(value: unknown, name: string): Required<HandMeasurement> {
   const { image, x_px, y_px, by } = objectOf(value, name);
   return {
     image: likeOf(image, 0, `${name}.image`),

@@ -211,13 +211,11 @@ export class BlockFiles {
         here();
         // What is refused of the file is refused while the former block is held.
         const options = optionsOf(made, file.name);
-        const edited = await this.aside.leave(say('open-the-other-project'), here);
-        if (edited === null) {
+        const stays = await this.aside.leave(say('open-the-other-project'), here, isReplaced(this.store.state, view));
+        if (stays === null) {
           this.store.dispatch({ type: 'notice', notice: null });
           return;
         }
-        const stays = edited || (isReplaced(this.store.state, view) && (await this.aside.putAside()));
-        here();
         hold();
         this.store.dispatch({ type: 'openedFile', view, edits, options });
         const former = stays ? say('the-former-block-stays-under') : '';

@@ -5,6 +5,7 @@ import { fixed, sentence } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
 import { stemOf } from '../state/film';
+import { levelByBlock } from '../state/level';
 import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
 import { unitOfOrthophoto } from '../state/orthophoto-unit';
 import type { LengthUnit } from '../state/orthophoto-unit';
@@ -35,6 +36,10 @@ export class GroundFiles {
       const taken = await this.takeHeights(model, here);
       if (taken === null) return null;
       said.push(taken);
+    } else if (orthophoto !== undefined) {
+      const taken = await this.takeLevelOfBlock(here);
+      if (taken === null) return null;
+      said.push(taken);
     }
     if (others.length > 0) said.push(say('skipped-an-orthophoto-has-one', { others: named(others) }));
     for (const world of worlds) {
@@ -42,7 +47,7 @@ export class GroundFiles {
       if (taken === null) return null;
       said.push(taken);
     }
-    return said.join(' ');
+    return said.filter((text) => text !== '').join(' ');
   }
 
   /** Takes a picture of the ground in place of the one that is there. */
@@ -71,8 +76,20 @@ export class GroundFiles {
   /** Takes one height for all of the ground. */
   takeLevel(height: number, here: Here): Promise<string | null> {
     return this.setHeights(here, withUnit(fixed(height, 2), unitOfOrthophoto(this.store.state.placing.orthophoto)), () =>
-      Promise.resolve({ kind: 'level', height }),
+      Promise.resolve({ kind: 'level', height, by: 'hand' }),
     );
+  }
+
+  /** The ground lies as high as the tie points of the block that is shown, where that lies on the earth and nothing else was given. Says nothing where it says no height. */
+  async takeLevelOfBlock(here: Here): Promise<string | null> {
+    const { placing, shown } = this.store.state;
+    const heights = levelByBlock(placing, shown);
+    if (heights?.kind !== 'level') return '';
+    const isSet = placing.heights.kind === 'level' && placing.heights.height === heights.height && placing.heights.by === 'block';
+    if (isSet) return '';
+    const name = withUnit(fixed(heights.height, 1), unitOfOrthophoto(placing.orthophoto));
+    const said = await this.setHeights(here, name, () => Promise.resolve(heights));
+    return said === null ? null : say('level-of-block', { height: name });
   }
 
   private async setHeights(here: Here, name: string, made: () => Promise<GivenHeights>): Promise<string | null> {

@@ -74,9 +74,11 @@ export function placingFrom(
       ofBlock: orNull(ofBlock, (key) => likeOf(key, '', 'placing.orthophoto.ofBlock')),
     };
   });
-  const { kind, height, model } = objectOf(kept.heights, 'placing.heights');
+  const { kind, height, by, model } = objectOf(kept.heights, 'placing.heights');
   const heights: GivenHeights =
-    kind === 'model' ? { kind, model: raster(model, 'placing.heights.model') } : { kind: 'level', height: likeOf(height, 0, 'placing.heights.height') };
+    kind === 'model'
+      ? { kind, model: raster(model, 'placing.heights.model') }
+      : { kind: 'level', height: likeOf(height, 0, 'placing.heights.height'), ...(by === 'hand' || by === 'block' ? { by } : {}) };
   const options = orNull(kept.options, (value) => fitted(value, catalogue.placing, 'placing.options')) ?? catalogue.placing;
   const purpose = PURPOSES.find((one) => one === kept.purpose) ?? null;
   return { ...none, orthophoto, heights, options: same(options, catalogue), purpose, film: filmFrom(kept.film), placed: placedFrom(placed) };

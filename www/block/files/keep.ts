@@ -18,6 +18,7 @@ import type { ImageVerdict, OnGround } from '../state/placing';
 import { bytesOfMarks, bytesOfStep, markStepFrom, stepFrom } from './edit';
 import { withPresentKeys } from './earlier-keys';
 import { passIds } from './ids';
+import { draftFrom, draftParts } from './keep-draft';
 import { formerFrom, formerParts, placesFrom } from './keep-former';
 import { keptPlacing, placingFrom, rastersOf, sizeOfPlaced } from './keep-placing';
 import { messageOf } from '../../shared/text/messages';
@@ -52,7 +53,7 @@ export class KeptBlocks implements Keepable {
   watch(changed: () => void): void {
     this.changed = changed;
     this.engine.watchRecords(changed);
-    this.store.watch(['files', 'options', 'flight', 'truth', 'shown', 'opened', 'running', 'history', 'former', 'marks', 'placing'], () => {
+    this.store.watch(['files', 'options', 'flight', 'truth', 'shown', 'opened', 'running', 'history', 'former', 'marks', 'draft', 'panes', 'placing'], () => {
       changed();
       void this.settled();
     });
@@ -94,6 +95,7 @@ export class KeptBlocks implements Keepable {
     for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
     for (const [name, part] of this.marks.parts(state.marks)) parts.set(name, part);
     for (const [name, part] of formerParts(state.former, state.history)) parts.set(name, part);
+    for (const [name, part] of draftParts(state.draft, state.panes.images)) parts.set(name, part);
     if (made !== null && made.found === shown?.found)
       parts.set(SHOWN, { value: made.kept, bytes: SMALL + made.kept.project.size + (made.kept.ground?.before.size ?? 0) });
     // Of images that were all removed nothing is left to go on with.
@@ -123,6 +125,7 @@ export class KeptBlocks implements Keepable {
     );
     const shown = finished?.shown ?? null;
     const count = shown?.view.images.length ?? 0;
+    const draft = shown === null ? null : draftFrom(parts, count);
     const opened = kept.opened?.every((image) => image < count) === true ? kept.opened : null;
     return () => {
       passIds([...files, ...removed, ...besidesOf({ masks, geoid }), ...(shown?.files ?? []), ...rastersOf(placing)].map(({ id }) => id));
@@ -132,7 +135,20 @@ export class KeptBlocks implements Keepable {
       this.engine.keepSpare(finished?.kept.project ?? null);
       this.store.dispatch({
         type: 'restored',
-        restored: { files, removed, options: { ...kept.options, masks, geoid }, flight: kept.flight, truth, shown, opened, history, former, marks, placing },
+        restored: {
+          files,
+          removed,
+          options: { ...kept.options, masks, geoid },
+          flight: kept.flight,
+          truth,
+          shown,
+          opened,
+          history,
+          former,
+          marks,
+          draft,
+          placing,
+        },
       });
       const names = this.images();
       if (names.length === 0) return;

@@ -2,6 +2,7 @@
 import { unlessLeft } from '../../shared/files/leaving';
 import type { Here } from '../../shared/files/leaving';
 import { sentence } from '../../shared/text/format';
+import type { GroundFiles } from './ground';
 import type { BlockPlacing } from '../engine/block-placing';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
@@ -16,6 +17,7 @@ export class BlockRuns {
     private readonly engine: BlockEngine,
     private readonly images: PlacingEngine,
     private readonly block: BlockPlacing,
+    private readonly ground: GroundFiles,
   ) {}
 
   /** Runs the block and places it on the orthophoto, where that is wanted. Of a block that is there as it is wanted only the place is made anew. */
@@ -53,6 +55,8 @@ export class BlockRuns {
     this.store.dispatch({ type: 'stage', view: 'orthophoto' });
     this.store.dispatch({ type: 'notice', notice: null });
     try {
+      // A block that was found after the orthophoto was given says how high its ground lies.
+      if ((await this.ground.takeLevelOfBlock(here)) === null) return;
       const done = await this.images.place();
       here();
       if (done === null) this.tell('info', say('cancelled-what-was-placed-stays'));

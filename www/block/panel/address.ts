@@ -53,7 +53,7 @@ export function mountAddress(store: BlockStore, modes: Modes, pair: PairBeside):
     }
   };
   const follow = ({ address, part }: Wanted) => {
-    const { shown, history } = store.state;
+    const { shown, history, draft } = store.state;
     if (address === '') {
       waiting = null;
       // So is a pair that is none of the block.
@@ -76,7 +76,8 @@ export function mountAddress(store: BlockStore, modes: Modes, pair: PairBeside):
     const images = askedPair(address, shown.view);
     waiting = null;
     if (images !== null) void show(images);
-    if (wanted !== null) store.dispatch({ type: 'choose', choice: wanted.choice });
+    // A point that is measured on after a reload is the chosen one.
+    if (wanted !== null && (draft === null || part !== null)) store.dispatch({ type: 'choose', choice: wanted.choice });
   };
   const showPart = (part: Mode, address: string) => {
     waiting = null;

@@ -28,8 +28,6 @@ import { editOf, makeEdit, nameOfTimed, namesIn, stepBy } from './edits';
 export interface Measures {
   toggle: (anew: boolean) => void;
   match: () => void;
-  accept: () => void;
-  leave: () => void;
 }
 
 function makeStep(store: BlockStore, edits: readonly BlockEdit[] | null): void {
@@ -115,8 +113,8 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
   const joining = button(say('join'), 'block-join', () => join(store, facts), say('the-chosen-points-are-one'));
   const parting = button(say('split'), 'block-split', () => makeStep(store, splitOf(store.state, facts)), say('the-point-is-two-one'));
   const match = button(say('match-it'), 'block-match', () => measures()?.match(), say('match-the-point-in-the'));
-  const accept = button(say('accept'), 'block-accept', () => measures()?.accept(), say('the-point-is-measured-enter'));
-  const leave = button(say('cancel'), 'block-leave', () => measures()?.leave(), say('give-what-is-measured-up'));
+  const accept = button(say('accept'), 'block-accept', () => store.dispatch({ type: 'accept', leaves: false }), say('the-point-is-measured-enter'));
+  const leave = button(say('cancel'), 'block-leave', () => store.dispatch({ type: 'draft', draft: null }), say('give-what-is-measured-up'));
   const [use, useSelect] = choice(say('use-as'), 'block-use', USES, (value) => {
     const surveyed = surveyedChoice(store.state, facts);
     const role = value === 'control' || value === 'check' ? value : null;

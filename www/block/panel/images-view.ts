@@ -13,6 +13,7 @@ import { groundAt, photoMm } from '../state/observed';
 import { MOST_PANES, shownImages } from '../state/panes';
 import type { Look } from '../state/panes';
 import { isBusy } from '../state/state';
+import { coordinatesText } from '../state/result-system';
 import { inUnitOf } from '../state/scale';
 import type { BlockView } from '../state/view';
 import { describe } from '../state/words';
@@ -59,8 +60,6 @@ export function imagesView(engine: BlockEngine, facts: Facts, addImages: () => v
           host.focus();
         },
         match: () => view.match(),
-        accept: () => view.measuring.accept(),
-        leave: () => view.measuring.leave(),
       });
       view.watch(() => {
         setText(place, placeText(store, view));
@@ -183,7 +182,7 @@ function pointText({ state }: BlockStore, view: ImagesView): string {
   const [worst] = observations.map(({ image, w }) => ({ image, w: largest(w) ?? 0 })).sort((a, b) => b.w - a.w);
   const parts = [
     name ?? `${id !== null && 'manual' in id ? say('point-by-hand') : say('tie-point')} ${count(chosen.point + 1)}`,
-    position === null ? say('not-intersected') : inUnitOf(shown, `X Y Z ${position.map((value) => fixed(value, 3)).join(' ')}`),
+    position === null ? say('not-intersected') : coordinatesText(shown, position, 3),
     errors === null ? '' : inUnitOf(shown, `± ${errors.map((value) => fixed(value, 3)).join(' ')}`),
     say('rays', {
       observations: taking,
@@ -212,7 +211,7 @@ function textOfPlace({ image, at }: At, shown: BlockView, view: ImagesView): str
   const parts = [
     say('px', { name, at: at[0], at_2: at[1] }),
     mm === null ? '' : say('mm', { mm: mm[0], mm_2: mm[1] }),
-    ground === null ? '' : say('ground-about', { join: inUnitOf(shown, ground.map((value) => fixed(value, 2)).join(' ')) }),
+    ground === null ? '' : say('ground-about', { join: coordinatesText(shown, ground, 2) }),
   ];
   return parts.filter((part) => part !== '').join(' · ');
 }
@@ -244,6 +243,7 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
     slider(say('contrast'), 'images-contrast', (contrast) => set({ contrast })),
     adding,
   );
+  const other = button(say('other-images'), 'images-other', () => view.turn(1), say('other-images-title'));
   const unfold = h('button', { type: 'button', class: 'menu-button', testid: 'images-menu' }, say('view'));
   mountMenu(unfold, more);
   store.watch(['panes', 'shown'], ([panes, shown]) => {
@@ -259,6 +259,7 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
     host.style.setProperty('--brightness', String(look.brightness));
     host.style.setProperty('--contrast', String(look.contrast));
     pair.hidden = pairOf(store) === null;
+    other.hidden = shown === null || shownImages(panes, shown.view).length >= shown.view.images.length;
     const names = shown?.view.images.map(({ name }) => name) ?? [];
     if (addSelect.dataset.names === names.join('\n')) return;
     addSelect.dataset.names = names.join('\n');
@@ -267,7 +268,7 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
   store.watch(['running', 'notice', 'placing'], () => {
     pair.disabled = isBusy(store.state);
   });
-  return h('div', { class: 'image-tools' }, points, vectors, linked, loupe, unmeasured, pair, unfold, more);
+  return h('div', { class: 'image-tools' }, points, vectors, linked, loupe, unmeasured, pair, other, unfold, more);
 }
 
 /** The two images that are shown; null where they are not two. */

@@ -2,6 +2,7 @@
 import { choice, toggle } from '../../shared/panel/choice';
 import { button, fill, h } from '../../shared/panel/dom';
 import { unfolded } from '../../shared/panel/menu';
+import { asFigure } from '../../shared/text/direction';
 import { fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
@@ -9,6 +10,7 @@ import type { PlacingEngine } from '../engine/placing';
 import { medianGsd, systemOf } from '../state/ground';
 import type { System } from '../state/ground';
 import { whyNotLaid } from '../state/laid';
+import { resultSystem } from '../state/result-system';
 import { isInSystemOf } from '../state/showing';
 import { imagesOfBlock, isBusy } from '../state/state';
 import { inverse, mapped } from '../state/under';
@@ -126,6 +128,8 @@ function showLegend(legend: HTMLElement, bar: HTMLElement, map: BlockMap, view: 
 
 /** What the coordinates of a block are, in words. */
 function systemText(view: BlockView, map: BlockMap): string {
+  const { name } = resultSystem(view);
+  if (name !== '') return asFigure(name);
   const system = systemOf(view, map.ground());
   return system === 'surveyed' && isInSystemOf(view) ? say('system-of-the-orthophoto') : SYSTEMS[system];
 }
@@ -157,6 +161,13 @@ function placeText(map: BlockMap, view: BlockView | null): string {
   const { place } = map;
   if (view === null || place === null) return '';
   const system = systemOf(view, map.ground());
+  const { code, toBlock, unit: units, more } = resultSystem(view);
+  if (toBlock !== null) {
+    // A plane map: to the px of any screen.
+    const there = mapped(inverse(toBlock), place[0], place[1]);
+    const [x = '', y = ''] = there.map((value) => fixed(value, 2 + more));
+    return `${withUnit(`X ${x}  Y ${y}`, units[0])}  ${code}`;
+  }
   const unit = system === 'own' ? '' : ' m';
   const own = `${system === 'geographic' ? 'E' : 'X'} ${fixed(place[0], 2)}${unit}  ${system === 'geographic' ? 'N' : 'Y'} ${fixed(place[1], 2)}${unit}`;
   const laid = map.laid();

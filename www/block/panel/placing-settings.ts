@@ -10,12 +10,13 @@ import { filmFields } from './film-settings';
 import type { BlockFiles } from '../files/files';
 import { orthophotoText } from '../files/ground';
 import { unitOfOrthophoto } from '../state/orthophoto-unit';
-import type { Purpose } from '../state/placing';
+import type { Placing, Purpose } from '../state/placing';
 import { purposeOf } from '../state/purpose';
 import { isBusy } from '../state/state';
 import { message } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
-import { unitText } from '../../shared/text/units';
+import { fixed } from '../../shared/text/format';
+import { unitText, withUnit } from '../../shared/text/units';
 
 const ORTHOPHOTO = say('none-a-geotiff-in-a');
 const HEIGHTS = say('none-the-ground-is-level');
@@ -60,7 +61,7 @@ export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files
     fill(name, placing.orthophoto === null ? ORTHOPHOTO : orthophotoText(placing.orthophoto));
     const [from, to] = placing.orthophoto?.info.heights ?? [];
     const unit = unitText(unitOfOrthophoto(placing.orthophoto));
-    fill(model, placing.heights.kind === 'level' ? HEIGHTS : say('from-to', { name: placing.heights.model.name, from, to, unit }));
+    fill(model, heightsText(placing, from, to, unit));
   });
   store.watch(['catalogue'], ([catalogue]) => {
     if (catalogue === null) return;
@@ -81,6 +82,12 @@ export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files
     );
   });
   return { orthophoto: () => orthophotoInput.click(), heights: () => heightsInput.click() };
+}
+
+function heightsText({ heights, orthophoto }: Placing, from: number | undefined, to: number | undefined, unit: string): string {
+  if (heights.kind === 'model') return say('from-to', { name: heights.model.name, from, to, unit });
+  if (heights.by !== 'block') return HEIGHTS;
+  return `${HEIGHTS} ${say('level-of-block', { height: withUnit(fixed(heights.height, 1), unitOfOrthophoto(orthophoto)) })}`;
 }
 
 const PURPOSES: readonly (readonly [Purpose, string])[] = [

@@ -8,6 +8,8 @@ import type { ViewObservations } from './facts';
 import type { Coordinates } from './marks';
 import type { Choice, Selection, Subject } from './selection';
 import type { Listed } from './state';
+import { imageCoordinates, pointCoordinates, resultSystem, surveyedCoordinates } from './result-system';
+import type { ResultSystem } from './result-system';
 import { unitOf } from './scale';
 import type { BlockView, ViewGiven } from './view';
 import { geometryText, givenUse, matchesOf, outcomeText } from './words';
@@ -23,10 +25,32 @@ export interface Rows {
 
 export const NO_ROWS: Rows = { count: 0, columns: [] };
 
+/** X and Y of a system are in one unit, Z in another where it has one. */
+const unitOn = ({ unit }: ResultSystem, axis: number) => unit[axis < 2 ? 0 : 1];
+const moreOn = ({ more }: ResultSystem, axis: number) => (axis < 2 ? more : 0);
+
+/** The head of a coordinate: with the system that it is in, where that has a name. */
+function headOf({ code }: ResultSystem, axis: string): string {
+  return code === '' ? axis : sayNamed('in-system', { axis, code });
+}
+
+/** `own`: what is said of it in the system of the adjustment. */
+function helpOf({ name }: ResultSystem, axis: string, own: string): string {
+  return name === '' ? own : say('coordinate-in-system', { axis, name });
+}
+
 function imageRows(view: BlockView): Rows {
   const { images, leftOut, cameras } = view;
-  const unit = unitOf(view);
-  const axis = (key: string, i: number) => numbers(key, key, unit, 2, (row) => images[row]?.position?.[i], say('projection-centre-in-m-where', { key }));
+  const system = resultSystem(view);
+  const axis = (key: string, i: number) =>
+    numbers(
+      key,
+      headOf(system, key),
+      unitOn(system, i),
+      2 + moreOn(system, i),
+      (row) => imageCoordinates(view)[3 * row + i],
+      helpOf(system, key, say('projection-centre-in-m-where', { key })),
+    );
   return {
     count: images.length + leftOut.length,
     columns: [
@@ -90,9 +114,17 @@ function pairRows({ images, connections }: BlockView): Rows {
 
 function pointRows(view: BlockView): Rows {
   const { points } = view;
+  const system = resultSystem(view);
   const unit = unitOf(view);
   const axis = (label: string, offset: number) => [
-    numbers(label.toLowerCase(), label, unit, 2, (i) => points.positions[3 * i + offset] ?? NaN, say('object-coordinate-in-m-where')),
+    numbers(
+      label.toLowerCase(),
+      headOf(system, label),
+      unitOn(system, offset),
+      2 + moreOn(system, offset),
+      (i) => pointCoordinates(view)[3 * i + offset] ?? NaN,
+      helpOf(system, label, say('object-coordinate-in-m-where')),
+    ),
     numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say('standard-error-of-from-the', { label }), {
       total: 'rms',
     }),
@@ -114,11 +146,21 @@ function pointRows(view: BlockView): Rows {
 
 const NO_COORDINATES: Coordinates = new Map();
 
-function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[], asGiven: Coordinates = NO_COORDINATES): Rows {
+/** Coordinates that differ by less are shown as the same, m. */
+const SAME_COORDINATE = 0.001;
+
+function surveyedRows(view: BlockView, given: readonly ViewGiven[], asGiven: Coordinates = NO_COORDINATES): Rows {
+  const { surveyed } = view;
   const axes = ['X', 'Y', 'Z'];
-  const isOther = (position: readonly number[], name: string) => asGiven.get(name)?.some((value, k) => value !== position[k]) === true;
-  const areElsewhere = given.some(({ place, position }) => place === null || place.some((value, k) => value !== position[k]));
-  const areOthers = areElsewhere || surveyed.some(({ position, name }) => isOther(position, name));
+  const system = resultSystem(view);
+  // What was given in the system of the results stands there as it was given, to the last digit that is shown.
+  const within = system.name === '' ? 0 : SAME_COORDINATE;
+  const differs = (value: number, other: number | undefined) => !(Math.abs(value - (other ?? NaN)) <= within);
+  const own = surveyedCoordinates(view);
+  const places = given.map(({ place }) => (place === null ? null : system.coordinates(Float64Array.from(place))));
+  const isOther = (row: number, name: string) => asGiven.get(name)?.some((value, k) => differs(value, own[3 * row + k])) === true;
+  const areElsewhere = given.some(({ position }, i) => places[i] == null || position.some((value, k) => differs(value, places[i]?.[k])));
+  const areOthers = areElsewhere || surveyed.some(({ name }, row) => isOther(row, name));
   // What was given and is not in the block comes last.
   const beside = (row: number) => given[row - surveyed.length];
   const useText = (row: number) => {
@@ -146,7 +188,14 @@ function surveyedRows({ surveyed }: BlockView, given: readonly ViewGiven[], asGi
           )
         : []),
       ...axes.map((axis, k) =>
-        numbers(`surveyed-${axis}`, axis, 'm', 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.place?.[k] ?? NaN, say('surveyed-in-the-system-of', { axis })),
+        numbers(
+          `surveyed-${axis}`,
+          headOf(system, axis),
+          system.name === '' ? 'm' : unitOn(system, k),
+          3 + moreOn(system, k),
+          (i) => (i < surveyed.length ? own[3 * i + k] : places[i - surveyed.length]?.[k]) ?? NaN,
+          helpOf(system, axis, say('surveyed-in-the-system-of', { axis })),
+        ),
       ),
       ...axes.map((axis, k) =>
         numbers(`difference-${axis}`, `Δ${axis}`, 'm', 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say('adjusted-minus-surveyed', { axis }), {

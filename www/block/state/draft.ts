@@ -2,6 +2,7 @@
 import { roundedPx } from '../../shared/state/pane';
 import { say } from '../../shared/text/words';
 import { indexOfSource } from './edits';
+import type { Choice } from './selection';
 import type { BlockView } from './view';
 import { nameOfPoint } from './words';
 import type { Position } from '../../shared/state/pane';
@@ -9,6 +10,30 @@ import type { Draft, GivenPoint, Placed } from './edited';
 import type { MarkStep } from './marks';
 import type { AddedPoint } from './added';
 import type { BlockEdit, HandMeasurement } from '../../../pkg/wasm/tiepoint.js';
+
+/** With the images that were shown when it was left. */
+export interface KeptDraft extends Draft {
+  images: readonly number[];
+}
+
+/** The measured point as it is chosen; null for a new one, and while the block has none such. */
+export function choiceOfDraft({ of }: Draft, view: BlockView): Choice | null {
+  if (of === null) return null;
+  if (isGiven(of)) return { kind: 'given', name: of.given };
+  const point = indexOfSource(view, of);
+  return point < 0 ? null : { kind: 'point', point };
+}
+
+/** A new point that is measured, in another view of the images; null where it is placed in none of them, and of other points, which that view may not have. */
+export function draftInOtherView(draft: Draft | null, before: BlockView | undefined, after: BlockView): Draft | null {
+  if (draft === null || draft.of !== null || before === undefined) return null;
+  const indices = new Map(after.images.map(({ name }, image) => [name, image]));
+  const places = [...draft.places].flatMap(([image, place]): [number, Placed][] => {
+    const index = indices.get(before.images[image]?.name ?? '');
+    return index === undefined ? [] : [[index, place]];
+  });
+  return places.length === 0 ? null : { of: null, places: new Map(places) };
+}
 
 /** A draft without places yet: of a point that is there, or of a new one. */
 export function begun(of: Draft['of']): Draft {

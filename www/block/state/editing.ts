@@ -10,10 +10,11 @@ import { choiceAfterEdit, indexOfSource } from './edits';
 import type { EditStep } from './edits';
 import { nameOfStep, namesOf, NO_NAMES, withoutPlaces } from './naming';
 import type { Names } from './naming';
+import { pointsOf } from './selection';
 import type { Choice } from './selection';
 import { withRemoved } from './removing';
 import { figuresOf, UNEDITED } from './edited';
-import { nameOfDraft, stepOfDraft } from './draft';
+import { choiceOfDraft, nameOfDraft, stepOfDraft } from './draft';
 import { awaitedOf, formerOf, nameOfTiePoints, placesBefore, wayBack, withFormer } from './former';
 import type { Awaiting, Former } from './former';
 import type { Draft, Edits } from './edited';
@@ -161,14 +162,13 @@ export function stepsOf({ edits: steps }: History<EditStep>, edits: readonly Blo
 }
 
 function withEdited(state: BlockState, shown: Shown, view: BlockView, edits: readonly BlockEdit[]): BlockState {
-  const { selection } = state;
+  const { selection, draft } = state;
   const added = edits.length > shown.edits.length ? (newPoint(edits, view) ?? takenIn(selection.chosen, view)) : null;
-  return {
-    ...state,
-    shown: { ...shown, view, edits },
-    before: figuresOf(shown.view),
-    selection: { ...selection, chosen: added ?? choiceAfterEdit(selection.chosen, shown.view, view), pointed: null },
-  };
+  const next = added ?? choiceAfterEdit(selection.chosen, shown.view, view);
+  const measured = draft === null ? null : choiceOfDraft(draft, view);
+  // What is measured meanwhile is the chosen one.
+  const chosen = measured?.kind === 'point' && !pointsOf(next).includes(measured.point) ? measured : next;
+  return { ...state, shown: { ...shown, view, edits }, before: figuresOf(shown.view), selection: { ...selection, chosen, pointed: null } };
 }
 
 /** The point that the last edit added. */

@@ -35,7 +35,7 @@ export function gsdOf(view: BlockView, ground: ViewGround | null, image: number)
 }
 
 /** NaN of none. */
-export function median(values: readonly number[]): number {
+export function median(values: Iterable<number>): number {
   const sorted = Float64Array.from(values).sort();
   return sorted[Math.floor(sorted.length / 2)] ?? NaN;
 }

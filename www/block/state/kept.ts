@@ -1,8 +1,9 @@
 /** What of a block is kept in the browser's storage. */
 import type { BlockScore, OrthophotoInfo, PlacingOptions } from '../../../pkg/wasm/tiepoint.js';
 import type { GivenFilm } from './film';
-import type { OnGround, Purpose, RasterFile } from './placing';
+import type { GivenHeights, OnGround, Purpose, RasterFile } from './placing';
 import type { BlockFile, BlockOptions, BlockState, Steps } from './state';
+import type { KeptDraft } from './draft';
 import { areDefault } from './of-file';
 
 /** A file that is kept by itself, under a name that does not change. */
@@ -14,7 +15,7 @@ export type KeptRaster = KeptFile & Pick<RasterFile, 'world' | 'projection'>;
 /** What was given to place images on an orthophoto. */
 export interface KeptPlacing {
   orthophoto: { raster: KeptRaster; info: OrthophotoInfo; ofBlock: string | null } | null;
-  heights: { kind: 'level'; height: number } | { kind: 'model'; model: KeptRaster };
+  heights: Extract<GivenHeights, { kind: 'level' }> | { kind: 'model'; model: KeptRaster };
   film: GivenFilm;
   options: PlacingOptions | null;
   purpose: Purpose | null;
@@ -53,7 +54,7 @@ export interface KeptShown {
 export type RestoredBlock = Pick<
   BlockState,
   'files' | 'removed' | 'options' | 'flight' | 'truth' | 'shown' | 'opened' | 'history' | 'former' | 'marks' | 'placing'
->;
+> & { draft: KeptDraft | null };
 
 /** Whether there is nothing yet that would have to be kept. */
 export function isBlank({ catalogue, files, shown, options, flight, placing }: BlockState): boolean {

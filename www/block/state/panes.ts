@@ -5,8 +5,8 @@ import type { BlockView } from './view';
 /** Images side by side at most. */
 export const MOST_PANES = 9;
 
-/** Images that are shown where none was asked for. */
-const FIRST_PANES = 4;
+/** Images that are shown where none was asked for, and where nothing says which ones show a point: few, so that they are large. */
+export const FEW_PANES = 4;
 
 export interface Look {
   points: boolean;
@@ -72,7 +72,7 @@ function withImages(panes: Panes, wanted: readonly number[]): Panes {
 /** The images that are shown; the first ones where none was asked for. */
 export function shownImages(panes: Panes, view: BlockView): readonly number[] {
   if (panes.images.length > 0) return panes.images;
-  return view.images.slice(0, FIRST_PANES).map((_, image) => image);
+  return view.images.slice(0, FEW_PANES).map((_, image) => image);
 }
 
 /** The panes of another view of the same images: each image by its name. */

@@ -12,7 +12,8 @@ export interface RasterFile extends BlockFile {
   projection: TextFile | null;
 }
 
-export type GivenHeights = { kind: 'level'; height: number } | { kind: 'model'; model: RasterFile };
+/** `by`: who said the height of level ground; absent where nobody did, and of earlier releases. */
+export type GivenHeights = { kind: 'level'; height: number; by?: 'hand' | 'block' } | { kind: 'model'; model: RasterFile };
 
 export interface GivenOrthophoto {
   raster: RasterFile;

@@ -15,8 +15,10 @@ import { panesInOtherView, reducePanes } from './panes';
 import type { PanesAction } from './panes';
 import type { RestoredBlock } from './kept';
 import { areOfFile, defaultOptions, imagesFor, placingFor } from './of-file';
+import { draftInOtherView } from './draft';
 import { NO_PLACING, reducePlacing } from './placing';
 import type { OnGround, PlacingAction } from './placing';
+import { resumed } from './resumed';
 import { inOtherView, NOTHING_SELECTED, reduceSelection } from './selection';
 import type { SelectionAction } from './selection';
 import { together } from './together';
@@ -185,9 +187,10 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
       return { ...opened, shown: opened.shown && { ...opened.shown, key: openedKey(opened) } };
     }
     case 'restored': {
-      const { former, history, shown } = action.restored;
+      const { draft, ...restored } = action.restored;
+      const { former, history, shown } = restored;
       const awaiting = awaitingAgain(former, history, shown);
-      return { ...BLOCK_INITIAL, catalogue: state.catalogue, ...action.restored, awaiting, onStage: viewOf(action.restored) };
+      return { ...BLOCK_INITIAL, catalogue: state.catalogue, ...restored, awaiting, onStage: viewOf(restored), ...resumed(draft, shown?.view ?? null) };
     }
     case 'cleared':
       return state.catalogue === null ? state : reduceBlock(BLOCK_INITIAL, { type: 'ready', catalogue: state.catalogue });
@@ -205,7 +208,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
 }
 
 /** The view that shows what was kept: images on an orthophoto are no block, whose views would have nothing. */
-function viewOf({ shown, placing }: RestoredBlock): ViewName {
+function viewOf({ shown, placing }: Omit<RestoredBlock, 'draft'>): ViewName {
   return shown === null && placing.orthophoto !== null ? 'orthophoto' : BLOCK_INITIAL.onStage;
 }
 
@@ -262,11 +265,13 @@ function withRun(state: BlockState, action: RunAction): BlockState {
     case 'done': {
       const { key, view, files, seconds } = action;
       const { edits, said } = carried(state, view);
+      const draft = draftInOtherView(state.draft, state.shown?.view, view);
       return {
         ...state,
         ...blank(state),
         ...inOther(state, view),
         ...edits,
+        draft,
         ...(said === '' ? {} : { notice: { kind: 'info', text: said, beside: true } }),
         running: { kind: 'no' },
         shown: {

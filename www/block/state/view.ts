@@ -164,6 +164,8 @@ export interface BlockView {
   origin: GeographicOrigin | null;
   /** The coordinate reference system that was chosen for control points and results; null: none. */
   crs: string | null;
+  /** The name of that system, where results are in it. Absent, as null, where they are in that of the adjustment. */
+  system?: string | null;
   /** The height of the zero of its heights above the ellipsoid, m; null where it is not known. */
   geoidM: number | null;
   rmsePx: number | null;

@@ -6,6 +6,7 @@ import type { WithMarks } from './marks';
 import { keyOfPair } from './selection';
 import type { Choice } from './selection';
 import type { Listed } from './state';
+import { coordinatesText, resultSystem } from './result-system';
 import { inUnitOf } from './scale';
 import type { BlockView, ViewConnection, ViewGeometry, ViewGiven } from './view';
 import { message } from '../../shared/text/messages';
@@ -59,7 +60,7 @@ export function describe({ view, given }: Listed, choice: Choice, gsd = ''): str
     case 'points':
       return describePoints(view, choice.points);
     case 'given':
-      return describeGiven(given, choice.name);
+      return describeGiven(view, given, choice.name);
   }
 }
 
@@ -131,12 +132,12 @@ export function nameOfPoint({ surveyed }: BlockView, point: number): string {
 function describePoint(view: BlockView, point: number): string {
   const { points } = view;
   const axes = [0, 1, 2].map((axis) => 3 * point + axis);
-  const place = axes.map((at) => fixed(points.positions[at] ?? NaN, 2)).join(' ');
+  const [x = NaN, y = NaN, z = NaN] = axes.map((at) => points.positions[at]);
   const errors = axes.map((at) => points.errors[at] ?? NaN);
   const parts = [
     say('rays-3', { name: nameOfPoint(view, point), rays: points.rays[point] ?? 0 }),
     known(points.rmsePx[point]) ? say('rmse-px-3', { rmse_px: points.rmsePx[point] ?? NaN }) : '',
-    known(points.positions[3 * point]) ? inUnitOf(view, `X Y Z ${place}`) : say('not-intersected'),
+    known(points.positions[3 * point]) ? coordinatesText(view, [x, y, z], 2) : say('not-intersected'),
     errors.every(known) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(' ')}`) : '',
     point < points.taking ? '' : say('rejected-by-hand-2'),
   ];
@@ -144,10 +145,11 @@ function describePoint(view: BlockView, point: number): string {
 }
 
 /** A point that was given and is not in the block. */
-function describeGiven(given: readonly ViewGiven[], name: string): string {
+function describeGiven(view: BlockView, given: readonly ViewGiven[], name: string): string {
   const point = given.find((own) => own.name === name);
   if (point === undefined) return name;
-  const said = { name, place: (point.place ?? point.position).map((value) => fixed(value, 3)).join(' '), use: givenUse(point) };
+  const place = point.place === null ? point.position : resultSystem(view).coordinates(Float64Array.from(point.place));
+  const said = { name, place: Array.from(place, (value) => fixed(value, 3)).join(' '), use: givenUse(point) };
   return point.place === null ? say('given-point-of-file', said) : say('given-point', said);
 }
 

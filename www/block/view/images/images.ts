@@ -6,6 +6,7 @@ import { Layers } from '../../../shared/view/layers';
 import { contains, toPosition } from '../../../shared/view/transform';
 import type { BlockEngine, BlockStore } from '../../engine/engine';
 import type { Facts } from '../../engine/facts';
+import { likeliest, turned } from '../../state/likely';
 import { shownImages } from '../../state/panes';
 import { pointsOf, withMore } from '../../state/selection';
 import type { Looking } from '../looking';
@@ -113,15 +114,13 @@ export class ImagesView implements Commanded {
     return file !== null && this.bitmaps.hasFailed(file);
   }
 
-  /** Shows the next images in place of those that are shown. */
+  /** Shows the next images in place of those that are shown; those in which the measured point is placed stay. */
   turn(by: 1 | -1): void {
     const view = this.seen.view();
     if (view === null) return;
-    const shown = shownImages(this.store.state.panes, view);
-    const all = view.images.length;
-    const first = by > 0 ? Math.max(...shown) + 1 : Math.min(...shown) - shown.length;
-    const next = Array.from({ length: Math.min(shown.length, all) }, (_, i) => (((first + i) % all) + all) % all);
-    this.store.dispatch({ type: 'showImages', images: next });
+    const known = this.measuring.known();
+    const order = likeliest(view, [...known.keys()][0]);
+    this.store.dispatch({ type: 'showImages', images: turned(shownImages(this.store.state.panes, view), order, new Set(known.keys()), by) });
   }
 
   /** Chooses the next point of the active image, row by row. */

@@ -1,6 +1,7 @@
 /** The loupes over the panes: at the pointer and at the same ground in the other images, or at the point that is measured. */
 import type { Position } from '../../../shared/state/pane';
 import { LENS_FACTOR, lensRect, lensTransform } from '../../../shared/view/pointer';
+import { toCanvas } from '../../../shared/view/transform';
 import type { Rect, Transform } from '../../../shared/view/transform';
 import type { Measuring } from './measuring';
 import { isOn } from './scene';
@@ -35,7 +36,7 @@ export function draftLenses(measuring: Measuring, panes: readonly Pane[]): Lens[
   return panes.flatMap((pane) => {
     const at = measuring.placeIn(pane);
     if (at === null || !isOn(pane, at)) return [];
-    const rect = cornerOf(pane.rect);
+    const rect = cornerOf(pane.rect, toCanvas(pane.transform, ...at));
     return [{ pane, rect, transform: lensTransform(rect, at, Math.max(DRAFT_SCALE, pane.transform.scale)) }];
   });
 }
@@ -46,8 +47,9 @@ function besidePointer([x, y]: Position, { left, top, width, height }: Rect): Re
   return { ...rect, left: left + rect.left, top: top + Math.min(rect.top, height - rect.height) };
 }
 
-/** The lower right corner of a pane. */
-function cornerOf({ left, top, width, height }: Rect): Rect {
+/** The lower right corner of a pane; the left one where the right half holds a place of the canvas, which is not to lie under it. */
+function cornerOf({ left, top, width, height }: Rect, [x] = [left, top]): Rect {
   const side = Math.max(40, Math.min(176, width * 0.45, height * 0.45));
-  return { left: left + width - EDGE - side, top: top + height - EDGE - side, width: side, height: side };
+  const start = x > left + width / 2 ? left + EDGE : left + width - EDGE - side;
+  return { left: start, top: top + height - EDGE - side, width: side, height: side };
 }

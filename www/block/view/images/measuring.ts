@@ -114,12 +114,17 @@ export class Measuring {
     return addedPoints(editsInForce(history), shown?.view.givenControl ?? 0);
   }
 
+  /** Where the point that is chosen and measured is placed; nowhere while a new one is. */
+  ownPlaces(): ReadonlyMap<number, Position> {
+    const { draft } = this;
+    return draft?.of == null ? NOWHERE : placesOf(draft);
+  }
+
   /** The places of the draft, beside what was measured of a given point before. */
-  private known(): ReadonlyMap<number, Position> {
+  known(): ReadonlyMap<number, Position> {
     const { draft } = this;
     if (draft === null) return NOWHERE;
-    const own = [...draft.places].map(([image, { at }]): [number, Position] => [image, at]);
-    return new Map([...(isGiven(draft.of) ? this.marks() : []), ...own]);
+    return new Map([...(isGiven(draft.of) ? this.marks() : []), ...placesOf(draft)]);
   }
 
   /** Places whose epipolar lines say where the point may lie in an image. */
@@ -226,6 +231,10 @@ export class Measuring {
   private tell(kind: 'info' | 'busy' | 'problem', text: string): void {
     this.store.dispatch({ type: 'notice', notice: { kind, text, beside: kind !== 'problem' } });
   }
+}
+
+function placesOf(draft: Draft): ReadonlyMap<number, Position> {
+  return new Map([...draft.places].map(([image, { at }]) => [image, at]));
 }
 
 /** How steps in one image lie in another, by the points around a place that both show. */

@@ -4,7 +4,8 @@ import type { PaneView, Position } from '../../../shared/state/pane';
 import { contains, toCanvas } from '../../../shared/view/transform';
 import { footprintsAt } from '../../state/footprints';
 import { codeOfSource } from '../../state/edits';
-import { MOST_PANES, shownImages } from '../../state/panes';
+import { likeliest } from '../../state/likely';
+import { FEW_PANES, MOST_PANES, shownImages } from '../../state/panes';
 import { imagesOf, pointsOf } from '../../state/selection';
 import type { Choice } from '../../state/selection';
 import type { Shown } from '../../state/state';
@@ -90,7 +91,7 @@ export class Opening {
     return points.sources[point] ?? codeOfSource({ tie_point: point });
   }
 
-  /** Shows a given point where it is measured, and else where its coordinates say; where these say nothing, in any images. */
+  /** Shows a given point where it is measured, and else where its coordinates say; where these say nothing, in few images. */
   private showGiven(chosen: Extract<Choice, { kind: 'given' }>, shown: Shown): void {
     const { store } = this.seen;
     if (chosen !== this.shownFor) {
@@ -102,11 +103,11 @@ export class Opening {
       this.pending = new Set(images);
     }
     if (this.pending.size === 0) return;
-    const marks = this.measuring.marks();
+    const known = this.knownPlaces();
     const panes = this.seen.panes().filter(({ image }) => this.pending.has(image));
     const full = Math.max(LEAST_SCALE, ...panes.map((pane) => fillScale(pane.rect, pane)));
     const views = panes.flatMap((pane): [number, PaneView][] => {
-      const at = marks.get(pane.image) ?? this.measuring.ofGround(pane);
+      const at = known.get(pane.image) ?? this.measuring.ofGround(pane);
       return at === null ? [] : [[pane.image, viewAt(at, full)]];
     });
     // Where the points of an image are there and say nothing, it stays as it is.
@@ -119,14 +120,20 @@ export class Opening {
   /** The images that may show a given point, those with a measurement first; null while it is not known which. */
   private imagesOfGiven(name: string, { view, given }: Shown): readonly number[] | null {
     const { panes } = this.seen.store.state;
-    const measured = [...this.measuring.marks().keys()];
+    const measured = [...this.knownPlaces().keys()];
     const place = given.find((own) => own.name === name)?.place ?? null;
     const within = place === null ? null : this.seen.facts.ground();
     if (place !== null && within === null) return null;
-    const all = view.images.map((_, image) => image);
     const likely = place === null || within === null ? [] : footprintsAt(within.footprints, [place[0], place[1]]);
-    const others = likely.length > 0 ? likely : [...shownImages(panes, view), ...all];
-    return [...new Set([...measured, ...others])].slice(0, MOST_PANES);
+    if (likely.length > 0) return [...new Set([...measured, ...likely])].slice(0, MOST_PANES);
+    const [near] = measured;
+    const others = near === undefined ? [...shownImages(panes, view), ...likeliest(view, near)] : likeliest(view, near);
+    return [...new Set([...measured, ...others])].slice(0, Math.min(MOST_PANES, Math.max(FEW_PANES, measured.length)));
+  }
+
+  /** Where the given point is measured, or placed. */
+  private knownPlaces(): ReadonlyMap<number, Position> {
+    return new Map([...this.measuring.marks(), ...this.measuring.ownPlaces()]);
   }
 
   /** Shows the images that were chosen. */
@@ -147,6 +154,7 @@ export class Opening {
     // A surveyed point is there to be measured.
     const isSurveyed = detail.id !== null && 'ground_control' in detail.id;
     if (panes.look.unmeasured || isSurveyed) for (const { image, x_px, y_px } of detail.elsewhere) places.set(image, [x_px, y_px]);
+    for (const [image, at] of this.measuring.ownPlaces()) places.set(image, at);
     if (places.size === 0) return;
     const before = shownImages(panes, view);
     const scale = this.seen.active()?.transform.scale ?? 0;

@@ -6,6 +6,8 @@ import { toCanvas, toPosition } from '../../../shared/view/transform';
 import type { Transform } from '../../../shared/view/transform';
 import type { System } from '../../state/ground';
 import type { LengthUnit } from '../../state/orthophoto-unit';
+import { inverse, mapped, SAME, scaleOf } from '../../state/under';
+import type { Affine } from '../../state/under';
 import { withUnit } from '../../../shared/text/units';
 
 /** About so far apart are lines of the grid, CSS px; and so long is the scale bar at most. */
@@ -32,38 +34,67 @@ export function lengthText(length: number, system: System, unit: LengthUnit = 'm
   return withUnit(twoDigits(length * factor), metric);
 }
 
-export function paintGrid(context: CanvasRenderingContext2D, colours: Colours, t: Transform, width: number, height: number): void {
-  const step = niceBelow((1.6 * GRID) / t.scale);
-  const [left, top] = toPosition(t, 0, 0);
-  const [right, bottom] = toPosition(t, width, height);
+/** `toBlock`: from the system of the grid to that of the map, where it is another one. */
+export function paintGrid(
+  context: CanvasRenderingContext2D,
+  colours: Colours,
+  t: Transform,
+  width: number,
+  height: number,
+  toBlock: Affine | null = null,
+): void {
+  const to = toBlock ?? SAME;
+  const from = inverse(to);
+  const corners = [
+    [0, 0],
+    [width, 0],
+    [0, height],
+    [width, height],
+  ].map(([x = 0, y = 0]) => {
+    const [left, down] = toPosition(t, x, y);
+    return mapped(from, left, -down);
+  });
+  const [west, east] = rangeOf(corners.map(([x]) => x));
+  const [south, north] = rangeOf(corners.map(([, y]) => y));
+  const step = niceBelow((1.6 * GRID) / (t.scale * scaleOf(to)));
+  const place = (x: number, y: number) => {
+    const [u, v] = mapped(to, x, y);
+    return toCanvas(t, u, -v);
+  };
+  const columns = ticks(west, east, step).map((x) => ({ at: x, ends: [place(x, south), place(x, north)] as const }));
+  const rows = ticks(south, north, step).map((y) => ({ at: y, ends: [place(west, y), place(east, y)] as const }));
   context.save();
   context.strokeStyle = colours.muted;
   context.lineWidth = 0.5;
   context.globalAlpha = 0.35;
   context.beginPath();
-  const columns = ticks(left, right, step);
-  const rows = ticks(-bottom, -top, step);
-  for (const x of columns) {
-    const at = toCanvas(t, x, 0)[0];
-    context.moveTo(at, 0);
-    context.lineTo(at, height);
-  }
-  for (const y of rows) {
-    const at = toCanvas(t, 0, -y)[1];
-    context.moveTo(0, at);
-    context.lineTo(width, at);
+  for (const {
+    ends: [one, other],
+  } of [...columns, ...rows]) {
+    context.moveTo(...one);
+    context.lineTo(...other);
   }
   context.stroke();
   context.globalAlpha = 1;
   context.font = '10px system-ui, sans-serif';
   context.textAlign = 'start';
-  for (const x of columns) haloed(context, colours, stepText(x, step), toCanvas(t, x, 0)[0] + 3, 11);
-  for (const y of rows) {
-    const at = toCanvas(t, 0, -y)[1];
+  for (const { at, ends } of columns) haloed(context, colours, stepText(at, step), crossingOf(ends, 1, 0) + 3, 11);
+  for (const { at, ends } of rows) {
+    const y = crossingOf(ends, 0, 0);
     // Above are the labels of the columns, below the scale bar.
-    if (at > 28 && at < height - 52) haloed(context, colours, stepText(y, step), 3, at - 3);
+    if (y > 28 && y < height - 52) haloed(context, colours, stepText(at, step), 3, y - 3);
   }
   context.restore();
+}
+
+function rangeOf(values: readonly number[]): [number, number] {
+  return [Math.min(...values), Math.max(...values)];
+}
+
+/** Where a line through two places crosses a line of one coordinate, by the other coordinate. */
+function crossingOf([one, other]: readonly [readonly [number, number], readonly [number, number]], axis: 0 | 1, at: number): number {
+  const share = (at - one[axis]) / (other[axis] - one[axis]);
+  return one[(1 - axis) as 0 | 1] + share * (other[(1 - axis) as 0 | 1] - one[(1 - axis) as 0 | 1]);
 }
 
 function ticks(from: number, to: number, step: number): number[] {

@@ -9,6 +9,7 @@ import type { Facts } from '../../engine/facts';
 import { keptBy } from '../../state/columns';
 import type { Tabled } from '../../state/columns';
 import { medianGsd, systemOf } from '../../state/ground';
+import { resultSystem } from '../../state/result-system';
 import type { System, ViewGround } from '../../state/ground';
 import type { GivenOrthophoto } from '../../state/placing';
 import { laidUnder } from '../../state/laid';
@@ -222,7 +223,7 @@ export class BlockMap extends Chart {
     const laid = look.orthophoto && orthophoto !== null ? this.laid() : null;
     if (laid !== null && orthophoto !== null) this.tiles.paint(context, orthophoto, laid.toBlock, t, [width, height, this.layers.ratio]);
     if (ground !== null) this.paintPhotos(context, colours, view, t, ground, shown);
-    if (hasPlaces) paintGrid(context, colours, t, width, height);
+    if (hasPlaces) paintGrid(context, colours, t, width, height, resultSystem(view).toBlock);
     if (ground !== null && hasPlaces) paintFootprints(context, colours, ground, t, outlined, (image) => isMarked(shown, image));
     if (look.connections) this.paintConnections(context, colours, view, t, shown);
     const below = ground === null ? this.paintPhotos(context, colours, view, t, ground, shown) : NAME_BELOW;
