@@ -2,103 +2,36 @@
 //!
 //! All goes through one reader of texts: for each other one the module would hold the code of every type once more.
 
-use crate::message::messages;
-use serde::de::{DeserializeOwned, Error};
-use serde::{Deserialize, Deserializer, Serialize};
+mod fault;
+mod reader;
+mod slip;
+mod tokens;
+
+pub use fault::{JsonFault, JsonKind, JsonSlip, JsonWanted};
+
+use reader::Reader;
+use serde::de::{DeserializeOwned, Error, IgnoredAny};
+use serde::{Deserialize, Deserializer};
 use serde_json::Value;
-use serde_path_to_error::{Path, Segment, Track};
 use std::collections::BTreeSet;
+use std::marker::PhantomData;
 use std::sync::{Mutex, PoisonError};
-
-messages! {
-    /// Why a JSON text is refused, in the words of its reader.
-    #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-    #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
-    pub enum JsonFault as "json_fault" {
-        /// A field by its path; line and column count from 1, and are absent where there is no text to look them up in.
-        Field { field: String, words: String, line: Option<usize>, column: Option<usize> },
-        /// The whole.
-        Text { words: String, line: Option<usize>, column: Option<usize> },
-    }
-}
-
-impl std::error::Error for JsonFault {}
-
-messages! {
-    /// What a value of JSON is.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-    #[serde(rename_all = "snake_case")]
-    pub enum JsonKind as "json_kind" {
-        Null,
-        Boolean,
-        Number,
-        Text,
-        List,
-        Object,
-    }
-}
-
-impl JsonKind {
-    pub(crate) fn of(value: &Value) -> Self {
-        match value {
-            Value::Null => Self::Null,
-            Value::Bool(_) => Self::Boolean,
-            Value::Number(_) => Self::Number,
-            Value::String(_) => Self::Text,
-            Value::Array(_) => Self::List,
-            Value::Object(_) => Self::Object,
-        }
-    }
-}
-
-impl From<serde_json::Error> for JsonFault {
-    fn from(error: serde_json::Error) -> Self {
-        let (words, place) = words(&error);
-        Self::Text { words, line: place.map(|place| place[0]), column: place.map(|place| place[1]) }
-    }
-}
+use tokens::Tokens;
 
 /// Reads a JSON text; or says which field is wrong, and why.
 pub(crate) fn from_text<T: DeserializeOwned>(text: &str) -> Result<T, JsonFault> {
-    read(text).map_err(|error| match field_of(error.path()) {
-        None => error.into_inner().into(),
-        Some(field) => {
-            let (words, place) = words(error.inner());
-            JsonFault::Field { field, words, line: place.map(|place| place[0]), column: place.map(|place| place[1]) }
-        }
-    })
-}
-
-/// The field to which a path leads; none for the whole. A text that ends within an object leads to a field that has no name yet.
-fn field_of(path: &Path) -> Option<String> {
-    let whole = path.to_string();
-    let unnamed = path.iter().filter(|segment| matches!(segment, Segment::Unknown)).count();
-    let named = if unnamed == 0 { &whole } else { whole.trim_end_matches(['?', '.']) };
-    (!named.is_empty() && unnamed < path.iter().count()).then(|| named.into())
+    // What follows reads a text that is JSON.
+    serde_json::from_str::<IgnoredAny>(text)?;
+    Reader::of(&mut Tokens::of(text)).value(PhantomData).map_err(|slip| slip.fault(text))
 }
 
 /// Reads a JSON value that stands in no text: nobody could look up the place of what is refused.
 pub(crate) fn from_value<T: DeserializeOwned>(value: &Value) -> Result<T, JsonFault> {
     from_text(&value.to_string()).map_err(|fault| match fault {
+        JsonFault::Value { field, json_slip, .. } => JsonFault::Value { field, json_slip, line: None, column: None },
         JsonFault::Field { field, words, .. } => JsonFault::Field { field, words, line: None, column: None },
         JsonFault::Text { words, .. } => JsonFault::Text { words, line: None, column: None },
     })
-}
-
-fn read<T: DeserializeOwned>(text: &str) -> Result<T, serde_path_to_error::Error<serde_json::Error>> {
-    let mut deserializer = serde_json::Deserializer::from_str(text);
-    let mut track = Track::new();
-    let read = T::deserialize(serde_path_to_error::Deserializer::new(&mut deserializer, &mut track));
-    read.and_then(|read| deserializer.end().map(|()| read)).map_err(|error| serde_path_to_error::Error::new(track.path(), error))
-}
-
-/// What the reader says, and the line and column that it appends to that where it read a text: it gives its words in no other way.
-fn words(error: &serde_json::Error) -> (String, Option<[usize; 2]>) {
-    let (said, [line, column]) = (error.to_string(), [error.line(), error.column()]);
-    match said.strip_suffix(&format!(" at line {line} column {column}")) {
-        Some(words) => (words.into(), Some([line, column])),
-        None => (said, None),
-    }
 }
 
 /// A text that the program itself holds.
@@ -125,7 +58,7 @@ pub(crate) fn constant<'de, D: Deserializer<'de>>(from: D) -> Result<Constant, D
 
 /// Numbers that may be none; one that is not finite stands as its text.
 pub(crate) mod number {
-    use serde::de::Error;
+    use serde::de::{Error, Unexpected};
     use serde::{Deserialize, Deserializer, Serializer};
     use serde_json::Value;
 
@@ -136,7 +69,7 @@ pub(crate) mod number {
     pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
         let value = Value::deserialize(from)?;
         let number = value.as_f64().or_else(|| value.as_str()?.parse().ok());
-        number.ok_or_else(|| D::Error::custom("expected a number"))
+        number.ok_or_else(|| D::Error::invalid_type(Unexpected::Other("no number"), &"f64"))
     }
 }
 
@@ -156,7 +89,7 @@ pub(crate) mod infinite {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde::Deserialize;
+    use std::collections::BTreeMap;
 
     #[derive(Debug, Deserialize)]
     #[serde(deny_unknown_fields)]
@@ -178,20 +111,104 @@ mod tests {
         let whole = r#"{"cameras": [{"name": "a", "place": [1, 2], "reach": 3}]}"#;
         from_text::<File>(whole).unwrap();
         for (from, to, told) in [
-            ("\"a\"", "7", "cameras[0].name: invalid type: integer `7`, expected a string at line 1 column "),
-            ("2]", "\"2\"]", "cameras[0].place[1]: invalid type: string \"2\", expected f64 at line 1 column "),
-            ("\"name\"", "\"nam\"", "cameras[0].nam: unknown field `nam`"),
-            ("\"name\": \"a\", ", "", "cameras[0]: missing field `name` at line 1 column "),
+            ("\"a\"", "7", "cameras[0].name: got 7; allowed: a text at line 1 column 23"),
+            ("2]", "\"2\"]", "cameras[0].place[1]: got \"2\"; allowed: a number at line 1 column "),
+            ("[1, 2]", "[1, 2, 3]", "cameras[0].place: got a list of 3; allowed: a list of 2 at line 1 column "),
+            ("[1, 2]", "[1]", "cameras[0].place: got a list of 1; allowed: a list of 2 at line 1 column "),
+            ("[1, 2]", "{}", "cameras[0].place: got an object; allowed: a list at line 1 column "),
+            ("\"name\"", "\"nam\"", "cameras[0].nam: unknown field; allowed: name, place, reach at line 1 column 15"),
+            ("\"name\": \"a\", ", "", "cameras[0].name: missing at line 1 column 14"),
+            ("\"reach\": 3", "\"reach\": 3, \"reach\": 3", "cameras[0].reach: given twice at line 1 column "),
+            ("3}", "1e999}", "cameras[0].reach: got 1e999; allowed: a number at line 1 column "),
             (whole, "", "EOF while parsing a value at line 1 column "),
             (": [{\"name\": \"a\", \"place\": [1, 2], \"reach\": 3}]}", "", "EOF while parsing an object at line 1 column "),
-            (", \"reach\": 3}]}", "", "cameras[0]: EOF while parsing an object at line 1 column "),
-            (", \"reach\": 3}]}", ", ", "cameras[0]: EOF while parsing a value at line 1 column "),
+            (", \"reach\": 3}]}", ", ", "EOF while parsing an object at line 1 column "),
             ("}]}", "}]} 3", "trailing characters"),
         ] {
             let reason = from_text::<File>(&whole.replacen(from, to, 1)).unwrap_err().to_string();
             assert!(reason.starts_with(told), "{told}: {reason}");
         }
         let reason = from_value::<File>(&serde_json::json!({"cameras": [{"name": "a", "place": [1, null], "reach": 3}]})).unwrap_err();
-        assert_eq!(reason.to_string(), "cameras[0].place[1]: invalid type: null, expected f64");
+        assert_eq!(reason.to_string(), "cameras[0].place[1]: got null; allowed: a number");
+        let reason = from_text::<File>("{\"cameras\":\n  [true]}").unwrap_err();
+        assert_eq!(reason.to_string(), "cameras[0]: got true; allowed: an object at line 2 column 4");
+    }
+
+    /// Readers of libraries fill the fields of an object from a list, in an order that nobody wrote down.
+    #[test]
+    fn a_list_is_no_object() {
+        for (given, told) in [
+            ("[[]]", "got a list; allowed: an object at line 1 column 1"),
+            ("{\"cameras\": [[\"a\", [1, 2], 3]]}", "cameras[0]: got a list; allowed: an object at line 1 column 14"),
+        ] {
+            assert_eq!(from_text::<File>(given).unwrap_err().to_string(), told);
+        }
+    }
+
+    #[derive(Debug, PartialEq, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+    enum Edit {
+        Move { point: u32, to: [f64; 2] },
+        Name { text: String, of: BTreeMap<String, i8>, form: Form },
+    }
+
+    #[derive(Debug, PartialEq, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    enum Form {
+        Plain,
+        WithSize { size: Option<u8> },
+    }
+
+    #[test]
+    fn fields_of_enums_that_are_told_apart_by_a_field_are_named() {
+        for (given, told) in [
+            (r#"[{"kind": "move", "point": "4", "to": [1, 2]}]"#, "[0].point: got \"4\"; allowed: whole numbers from 0 to 4294967295"),
+            (r#"[{"kind": "move", "point": 4, "to": [1, "2"]}]"#, "[0].to[1]: got \"2\"; allowed: a number"),
+            (r#"[{"kind": "move", "point": 4, "to": [1]}]"#, "[0].to: got a list of 1"),
+            (r#"[{"kind": "move", "point": 4.5, "to": [1, 2]}]"#, "[0].point: got 4.5; allowed: whole numbers from 0 to 4294967295"),
+            (r#"[{"kind": "move", "point": 4, "to": {}}]"#, "[0].to: got an object; allowed: a list"),
+            (r#"[{"kind": "go", "point": 4}]"#, "[0].kind: got \"go\"; allowed: move, name"),
+            (r#"[{"kind": "move", "to": [1, 2]}]"#, "[0].point: missing"),
+            (r#"[{"kind": "move", "point": 4, "at": 1}]"#, "[0].at: unknown field; allowed: point, to"),
+            (r#"[{"point": 4, "to": [1, 2]}]"#, "[0].kind: missing"),
+            (r#"[4]"#, "[0]: got 4; allowed: "),
+        ] {
+            let reason = from_text::<Vec<Edit>>(given).unwrap_err().to_string();
+            assert!(reason.starts_with(told), "{told}: {reason}");
+        }
+    }
+
+    #[test]
+    fn a_variant_is_named_by_its_word_and_what_it_holds_by_its_fields() {
+        for (given, told) in [
+            ("\"bare\"", "got \"bare\"; allowed: plain, with-size at line 1 column 1"),
+            ("7", "got 7; allowed: plain, with-size at line 1 column 1"),
+            ("{}", "got an object; allowed: plain, with-size at line 1 column 1"),
+            (r#"{"with-size": {"size": 256}}"#, "with-size.size: got 256; allowed: whole numbers from 0 to 255 at line 1 column 24"),
+            (r#"{"with-size": [256]}"#, "with-size: got a list; allowed: an object at line 1 column 15"),
+        ] {
+            assert_eq!(from_text::<Form>(given).unwrap_err().to_string(), told);
+        }
+        assert_eq!(from_text::<Form>("\"plain\"").unwrap(), Form::Plain);
+        assert_eq!(from_text::<Form>(r#"{"with-size": {"size": null}}"#).unwrap(), Form::WithSize { size: None });
+    }
+
+    #[test]
+    fn what_is_written_is_read_as_it_was() {
+        let text = r#" {"kind" : "name","text":"a\"b\\ \u00e9é", "of":{"3":-4 , "5":6}, "form" : {"with-size":{"size":255}}} "#;
+        let of = BTreeMap::from([("3".into(), -4), ("5".into(), 6)]);
+        assert_eq!(from_text::<Edit>(text).unwrap(), Edit::Name { text: "a\"b\\ éé".into(), of, form: Form::WithSize { size: Some(255) } });
+        let numbers = "[0.1, -0, -0.0, 1e-7, 123456789012345678901234567890, 9007199254740993, 5e-324, 18446744073709551615]";
+        let plain: Vec<f64> = serde_json::from_str(numbers).unwrap();
+        let read: Vec<f64> = from_text(numbers).unwrap();
+        assert_eq!(read.iter().map(|x| x.to_bits()).collect::<Vec<_>>(), plain.iter().map(|x| x.to_bits()).collect::<Vec<_>>());
+        let any = r#"{"a":[1,-2,0.5,{"b":[]},[[]],{}],"c":null,"d":true,"e":"\n","f":{"g":{}}}"#;
+        assert_eq!(from_text::<Value>(any).unwrap(), serde_json::from_str::<Value>(any).unwrap());
+    }
+
+    #[test]
+    fn a_text_that_nests_without_end_is_refused() {
+        let reason = from_text::<Value>(&("[".repeat(100_000) + &"]".repeat(100_000))).unwrap_err().to_string();
+        assert!(reason.contains("allowed: up to 128 levels"), "{}", &reason[reason.len().saturating_sub(200)..]);
     }
 }
