@@ -88,7 +88,7 @@ pub use image::{
     Bands, DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, decode_bands, halve, read_header, reduce_to, refused_kind,
     write_bands, write_png,
 };
-pub use json::{JsonFault, JsonKind};
+pub use json::{JsonFault, JsonKind, JsonSlip, JsonWanted};
 pub use matching::{
     Candidate, DESCRIPTOR_BYTES, Denominator, Described, DescriptorMatch, Descriptors, EpipolarLines, Expectation, Fit, Guide,
     GuidedOptions, Located, Match, MatchCounts, MatchImage, MatchOptions, MatchSet, Nearest, NearestOptions, NearestTable, OffsetField,

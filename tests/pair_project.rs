@@ -209,7 +209,7 @@ fn parts_that_do_not_fit_together_are_refused_although_the_checksum_fits() {
         ("observations of the pair", |pair| drop(pair["result"]["orientation"]["Ok"]["points"].as_array_mut().unwrap().pop())),
         ("rejected match", |pair| pair["result"]["orientation"]["Ok"]["rejected"] = vec![9_999_999].into()),
         ("scores of the pair", |pair| drop(pair["truth"]["score"]["rightness"].as_array_mut().unwrap().pop())),
-        ("unknown field `extra`", |pair| pair["extra"] = 1.into()),
+        ("extra: unknown field", |pair| pair["extra"] = 1.into()),
     ];
     for (expected, change) in cases {
         let mut whole: serde_json::Value = serde_json::from_str(body).unwrap();

@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** What `npm pack` asks before it packs pkg/: the documents for those who use the package; they are tracked in docs/ alone. */
+/** What `npm pack` asks before it packs pkg/: the documents for those who use the package, which are tracked in docs/ alone, and the links to them. */
 
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,15 +8,19 @@ import { ROOT } from './lib/paths.mjs';
 
 const USAGE = `node tools/pack.mjs [--remove]
 
-Writes the documents of the package into pkg/docs, before it is packed.
+Writes the documents of the package into pkg/docs, and has its README lead there, before it is packed.
 
-  --remove    removes them, after it was packed
+  --remove    takes both back, after it was packed
   -h, --help  prints this`;
 
 /** The document for JavaScript, and those to which it leads. */
 const DOCUMENTS = ['javascript.md', 'command.md', 'options.md', 'conventions.md', 'blocks.md', 'placing.md', 'epipolar.md', 'project.md'];
 
 const FOLDER = join(ROOT, 'pkg', 'docs');
+const README = join(ROOT, 'pkg', 'README.md');
+
+/** Where the links of the README lead, in the checkout and in the package. */
+const LINKS = ['](../docs/', '](docs/'];
 
 /** A link to what is not packed becomes its text.  @param {string} text */
 const within = (text) =>
@@ -25,6 +29,8 @@ const within = (text) =>
 const { values } = parseArgs({ options: { remove: { type: 'boolean' }, help: { type: 'boolean', short: 'h' } } });
 if (values.help) console.log(USAGE);
 else {
+  const [from = '', to = ''] = values.remove ? LINKS.toReversed() : LINKS;
+  writeFileSync(README, readFileSync(README, 'utf8').replaceAll(from, to));
   rmSync(FOLDER, { recursive: true, force: true });
   if (!values.remove) {
     mkdirSync(FOLDER, { recursive: true });

@@ -78,11 +78,10 @@ function refuse(field, got, allowed) {
 
 /** @param {string} field @returns {never} */
 function refuseField(field) {
-  const words = `unknown field \`${field}\`, expected one of ${OPTIONS.map((name) => `\`${name}\``).join(', ')}`;
   throwRefusal('invalid-json', {
     kind: 'invalid-json',
     document: { kind: 'named', name: 'options' },
-    json_fault: { kind: 'field', field, words, line: null, column: null },
+    json_fault: { kind: 'value', field, json_slip: { kind: 'unknown_field', known: OPTIONS.join(', ') }, line: null, column: null },
   });
 }
 

@@ -29,6 +29,14 @@ error-unreadable-file =
     }{ $file_fault }
 error-not-written = تعذرت كتابة { $document }: لا يقبل المخرج نصًا آخر
 
+json-fault-value =
+    { $field ->
+        [none] {""}
+       *[other] { $field }:{" "}
+    }{ $json_slip }{ $line ->
+        [none] {""}
+       *[other] {" "}في السطر { $line } والعمود { $column }
+    }
 json-fault-field =
     { $field }: { $words }{ $line ->
         [none] {""}
@@ -39,6 +47,27 @@ json-fault-text =
         [none] {""}
        *[other] {" "}في السطر { $line } والعمود { $column }
     }
+
+json-slip-other-kind = أُعطي { $json_kind }؛ المسموح: { $json_wanted }
+json-slip-other-value = أُعطي { $value }؛ المسموح: { $json_wanted }
+json-slip-other-length =
+    أُعطيت قائمة عدد عناصرها { $items }{ $wanted_items ->
+        [none] {""}
+       *[other] ؛ المسموح: قائمة عدد عناصرها { $wanted_items }
+    }
+json-slip-unknown-field =
+    حقل غير معروف{ $known ->
+        [none] {""}
+       *[other] ؛ المسموح: { $known }
+    }
+json-slip-missing = غير موجود
+json-slip-twice = أُعطي مرتين
+json-slip-deep = قوائم وكائنات متداخلة؛ المسموح: حتى { $most } مستوى
+
+json-wanted-of-kind = { $json_kind }
+json-wanted-whole = أعداد صحيحة من { $min } إلى { $max }
+json-wanted-words = { $words }
+json-wanted-other = قيمة أخرى
 
 json-kind-null = null
 json-kind-boolean = نعم أو لا
@@ -1349,6 +1378,7 @@ refusal-file-name = صور الكتلة: أُعطي الاسم { $name }، وف�
 refusal-coarse-descriptors = الواصفات الخشنة: أُعطي { $bytes } بايت؛ المسموح: { $each } بايت لكل منها
 refusal-two-masks = الأقنعة: أُعطي { $first } و{ $second }، وهما للصورة نفسها؛ المسموح: قناع واحد للصورة
 refusal-refined-observations = أرصاد نقطة: أُعطي من { $first } إلى { $end }؛ المسموح: أرقام تصاعدية حتى { $windows }
+refusal-freed-object = حُرّر الكائن أو نُقل إلى كائن آخر؛ المسموح: كائنات لم تُحرّر ولم تُنقل
 refusal-unknown-job = مهمة: أُعطي { $job }؛ المسموح: مهام جارية
 refusal-few-images =
     صور الكتلة: قُرئ { $read } من { $given }{ $first ->

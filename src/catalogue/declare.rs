@@ -65,9 +65,6 @@ macro_rules! options {
                 named: options!(@or $($named)?),
             },)+)+];
 
-            /// The parameters as the one group of an object that holds them alone.
-            pub const GROUPS: &'static [$crate::Group] = &[$crate::Group { path: "", parameters: Self::PARAMETERS }];
-
             /// Rejects values outside their ranges.
             pub(crate) fn check_ranges(&self) -> Result<(), $crate::Error> {
                 let numbers = [$($($crate::catalogue::OptionValue::number(&self.$field),)+)+];
@@ -76,9 +73,7 @@ macro_rules! options {
         }
 
         impl $crate::catalogue::PartlyGiven for $name {
-            fn check_given(given: &serde_json::Value, document: &$crate::Document) -> Result<(), $crate::Error> {
-                $crate::catalogue::check_groups(Self::GROUPS, given, document)
-            }
+            const GROUPS: &'static [$crate::Group] = &[$crate::Group { path: "", parameters: Self::PARAMETERS }];
         }
     };
 }

@@ -38,6 +38,14 @@ error-unreadable-file =
     }{ $file_fault }
 error-not-written = { $document } cannot be written: the output takes no more text
 
+json-fault-value =
+    { $field ->
+        [none] {""}
+       *[other] { $field }:{" "}
+    }{ $json_slip }{ $line ->
+        [none] {""}
+       *[other] {" "}at line { $line } column { $column }
+    }
 json-fault-field =
     { $field }: { $words }{ $line ->
         [none] {""}
@@ -48,6 +56,27 @@ json-fault-text =
         [none] {""}
        *[other] {" "}at line { $line } column { $column }
     }
+
+json-slip-other-kind = got { $json_kind }; allowed: { $json_wanted }
+json-slip-other-value = got { $value }; allowed: { $json_wanted }
+json-slip-other-length =
+    got a list of { $items }{ $wanted_items ->
+        [none] {""}
+       *[other] ; allowed: a list of { $wanted_items }
+    }
+json-slip-unknown-field =
+    unknown field{ $known ->
+        [none] {""}
+       *[other] ; allowed: { $known }
+    }
+json-slip-missing = missing
+json-slip-twice = given twice
+json-slip-deep = lists and objects inside each other; allowed: up to { $most } levels
+
+json-wanted-of-kind = { $json_kind }
+json-wanted-whole = whole numbers from { $min } to { $max }
+json-wanted-words = { $words }
+json-wanted-other = another value
 
 json-kind-null = null
 json-kind-boolean = true or false
@@ -533,6 +562,7 @@ refusal-file-name = images of the block: got the name { $name }, which holds a c
 refusal-coarse-descriptors = coarse descriptors: got { $bytes } bytes; allowed: { $each } bytes each
 refusal-two-masks = masks: got { $first } and { $second }, which belong to the same image; allowed: one mask per image
 refusal-refined-observations = observations of a point: got { $first } to { $end }; allowed: ascending indices up to { $windows }
+refusal-freed-object = the object was freed, or moved into another one; allowed: objects that are neither
 refusal-unknown-job = job: got { $job }; allowed: jobs that are under way
 refusal-few-images =
     images of the block: got { $read } that could be read, of { $given }{ $first ->

@@ -23,15 +23,17 @@ pub fn with_defaults<T: DeserializeOwned + Serialize + Default>(given: Value) ->
 ///
 /// Its check before that says of a value that is not allowed what its option allows; a reader of JSON would say it in names of types.
 pub trait PartlyGiven: DeserializeOwned + Serialize + Default {
+    /// Its declared options by where they stand; without any it is an object all the same.
+    const GROUPS: &'static [Group] = &[Group { path: "", parameters: &[] }];
+
     /// Rejects values of declared options that are outside their ranges or of another type. `document`: what is read.
     ///
     /// # Errors
     /// [`Error::InvalidOption`]; [`Error::WrongType`].
-    fn check_given(given: &Value, document: &Document) -> Result<(), Error>;
+    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
+        check_groups(Self::GROUPS, given, document)
+    }
 }
-
-/// An object without options of its own.
-pub(crate) const NO_OPTIONS: &[Group] = &[Group { path: "", parameters: &[] }];
 
 /// Rejects values of the options of these groups, as [`PartlyGiven`] does.
 pub(crate) fn check_groups(groups: &[Group], given: &Value, document: &Document) -> Result<(), Error> {

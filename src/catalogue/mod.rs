@@ -20,6 +20,6 @@ pub(crate) use call::{FOCAL_PX, LENGTH, SIGMA_PX, check_call};
 pub(crate) use check::shown;
 pub(crate) use check::{check_values, refuse, refuse_absent};
 pub(crate) use declare::{choices, options};
-pub(crate) use given::{NO_OPTIONS, check_groups, read_options};
+pub(crate) use given::{check_groups, read_options};
 pub(crate) use parameter::check;
 pub(crate) use value::{Form, OptionValue, kind};

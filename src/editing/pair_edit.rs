@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// A match that an edit is about.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "allowed: the number of a match, or a list of four numbers")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub enum EditedMatch {
     /// The number that it got when it was measured by hand.

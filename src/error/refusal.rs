@@ -224,6 +224,8 @@ messages! {
         TwoMasks { first: String, second: String },
         RefinedObservations { first: u32, end: u32, windows: usize },
         UnknownJob { job: u32 },
+        /// An object of JavaScript whose memory was freed or moved into another one; what calls between it and the crate says so.
+        FreedObject,
         FewImages { read: usize, given: usize, first: Option<String>, failure: Option<Failure> },
         ChosenFeature { feature: u32, features: usize },
 

@@ -1,14 +1,12 @@
 //! A photo on film as it was scanned, and the image that an ideal camera would have taken in its place.
 
-use crate::catalogue::{NO_OPTIONS, check_groups};
 use crate::error::refuse;
 use crate::image::{Neighbours, each_position};
 use crate::{
-    Bands, Camera, CameraMm, CameraUncertainty, DecodeLimits, Document, Error, FiducialOrientation, GreyImage, GreyView, Interior,
-    PartlyGiven, PhotoInput, Refusal, photo_marks,
+    Bands, Camera, CameraMm, CameraUncertainty, DecodeLimits, Error, FiducialOrientation, GreyImage, GreyView, Interior, PartlyGiven,
+    PhotoInput, Refusal, photo_marks,
 };
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 
 /// What is known of the scan of a photo on film.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -25,11 +23,7 @@ pub struct FilmInput {
     pub marks_mm: Vec<[f64; 2]>,
 }
 
-impl PartlyGiven for FilmInput {
-    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
-        check_groups(NO_OPTIONS, given, document)
-    }
-}
+impl PartlyGiven for FilmInput {}
 
 impl FilmInput {
     /// The marks of the film.

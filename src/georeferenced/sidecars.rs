@@ -1,12 +1,10 @@
 //! What stands beside a raster that does not say it itself.
 
 use super::geotiff::{SaidSystem, refuse_degrees};
-use crate::catalogue::{NO_OPTIONS, check_groups};
 use crate::crs::{Definition, HeightReference};
 use crate::text::shorten;
-use crate::{Document, Error, PartlyGiven};
+use crate::{Error, PartlyGiven};
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 
 /// The texts of files beside a raster, which say what it does not say itself.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -19,11 +17,7 @@ pub struct Sidecars {
     pub projection: Option<String>,
 }
 
-impl PartlyGiven for Sidecars {
-    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
-        check_groups(NO_OPTIONS, given, document)
-    }
-}
+impl PartlyGiven for Sidecars {}
 
 impl From<Option<&str>> for Sidecars {
     /// A world file alone.

@@ -2,7 +2,7 @@
 
 use super::texts::NESTED;
 use super::{Message, Texts};
-use crate::json::{JsonFault, JsonKind};
+use crate::json::{JsonFault, JsonKind, JsonSlip, JsonWanted};
 use crate::{
     Allowed, Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, ControlApart, Damage, Degeneracy,
     DescribedBy, Document, Element, Error, Failure, Few, FileFault, FileKind, FilePlace, ImageFault, ImageOperation, ImageReason, Input,
@@ -72,6 +72,8 @@ fn families() -> Vec<Family> {
         family::<ImageOperation>(),
         family::<JsonFault>(),
         family::<JsonKind>(),
+        family::<JsonSlip>(),
+        family::<JsonWanted>(),
         family::<ImageReason>(),
         family::<Interruption>(),
         family::<LengthUnit>(),

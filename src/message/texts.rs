@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 45] = [
+pub(super) const NESTED: [&str; 47] = [
     "allowed",
     "axis",
     "block_warning",
@@ -36,6 +36,8 @@ pub(super) const NESTED: [&str; 45] = [
     "interruption",
     "json_fault",
     "json_kind",
+    "json_slip",
+    "json_wanted",
     "location",
     "mistake",
     "no_geometry",

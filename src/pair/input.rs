@@ -1,9 +1,7 @@
 //! What is known of a pair before it is matched.
 
-use crate::catalogue::{NO_OPTIONS, check_groups};
-use crate::{CameraMm, Document, Error, ExifCamera, Fiducial, FiducialModel, GreyView, PartlyGiven};
+use crate::{CameraMm, ExifCamera, Fiducial, FiducialModel, GreyView, PartlyGiven};
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 
 /// What is known of one image of a pair.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -30,11 +28,7 @@ pub struct PairInput {
     pub offset: Option<[f64; 2]>,
 }
 
-impl PartlyGiven for PairInput {
-    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
-        check_groups(NO_OPTIONS, given, document)
-    }
-}
+impl PartlyGiven for PairInput {}
 
 /// An image with the camera that its file names.
 #[derive(Clone, Copy)]

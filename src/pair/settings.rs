@@ -1,12 +1,10 @@
 //! The options of all stages of a pair.
 
-use crate::catalogue::check_groups;
 use crate::{
-    Document, Error, GradientOptions, Group, MatchOptions, MultiscaleOptions, Operator, OrientationOptions, Parameter, PartlyGiven,
-    PointOptions, Strategy, TwoViewOptions, WindowOptions,
+    GradientOptions, Group, MatchOptions, MultiscaleOptions, Operator, OrientationOptions, Parameter, PartlyGiven, PointOptions, Strategy,
+    TwoViewOptions, WindowOptions,
 };
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 
 /// The options of all stages.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -27,19 +25,7 @@ pub struct PairSettings {
 }
 
 impl PartlyGiven for PairSettings {
-    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
-        check_groups(Self::GROUPS, given, document)
-    }
-}
-
-impl PairSettings {
-    /// All parameters, in the order of the pipeline.
-    pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
-        Self::GROUPS.iter().flat_map(|group| group.parameters)
-    }
-
-    /// The same by where they stand.
-    pub const GROUPS: &'static [Group] = &[
+    const GROUPS: &'static [Group] = &[
         Group { path: "points", parameters: PointOptions::PARAMETERS },
         Group { path: "multiscale", parameters: MultiscaleOptions::PARAMETERS },
         Group { path: "window", parameters: WindowOptions::PARAMETERS },
@@ -48,6 +34,13 @@ impl PairSettings {
         Group { path: "geometry", parameters: TwoViewOptions::PARAMETERS },
         Group { path: "orientation", parameters: OrientationOptions::PARAMETERS },
     ];
+}
+
+impl PairSettings {
+    /// All parameters, in the order of the pipeline.
+    pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
+        Self::GROUPS.iter().flat_map(|group| group.parameters)
+    }
 
     /// The settings with every option that follows from the others: the strategy that is to be chosen and its refinement, the operator of the
     /// strategy, its roundness and window, the ambiguity ratio. What follows from the images stays absent. Everything that takes settings

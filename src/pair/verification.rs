@@ -3,16 +3,14 @@
 
 use super::frames::CommonFrame;
 use super::geometry::PairInterior;
-use crate::catalogue::check_groups;
 use crate::error::refuse;
 use crate::matching::{square_distance_of, within_parallax_gradient};
 use crate::two_view::two_view_from;
 use crate::{
-    DESCRIPTOR_BYTES, DescriptorMatch, Document, Error, Group, Guide, GuidedOptions, Input, Interior, Located, NearestOptions, NoGeometry,
+    DESCRIPTOR_BYTES, DescriptorMatch, Error, Group, Guide, GuidedOptions, Input, Interior, Located, NearestOptions, NoGeometry,
     PartlyGiven, Pinhole, Refusal, TwoView, TwoViewModel, TwoViewOptions, guided_matches, nearest_matches, two_view,
 };
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 
 /// Candidates lie within this many thresholds of the geometry: those beyond one tell how many wrong ones are within.
 const REACH: f64 = 3.0;
@@ -42,13 +40,10 @@ pub struct FeatureMatchOptions {
 }
 
 impl PartlyGiven for FeatureMatchOptions {
-    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
-        const GROUPS: &[Group] = &[
-            Group { path: "nearest", parameters: NearestOptions::PARAMETERS },
-            Group { path: "geometry", parameters: TwoViewOptions::PARAMETERS },
-        ];
-        check_groups(GROUPS, given, document)
-    }
+    const GROUPS: &'static [Group] = &[
+        Group { path: "nearest", parameters: NearestOptions::PARAMETERS },
+        Group { path: "geometry", parameters: TwoViewOptions::PARAMETERS },
+    ];
 }
 
 /// What is left of the matches of two images once their geometry is known, with those it added.

@@ -4,7 +4,7 @@ use super::cameras::CameraRules;
 use super::control::ControlTables;
 use super::masks::masks_of;
 use super::positions::{GivenPosition, PositionTable};
-use crate::catalogue::{NO_OPTIONS, check_groups, read_options};
+use crate::catalogue::{check_groups, read_options};
 use crate::crs::{Geoid, HeightZero};
 use crate::error::refuse;
 use crate::{BlockSettings, Document, Error, PartlyGiven, Refusal};
@@ -44,7 +44,7 @@ pub struct RunInput {
 impl PartlyGiven for RunInput {
     fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
         const FIELD: &str = "settings";
-        check_groups(NO_OPTIONS, given, document)?;
+        check_groups(Self::GROUPS, given, document)?;
         given.get(FIELD).map_or(Ok(()), |settings| BlockSettings::check_given(settings, &Document::Named { name: FIELD.into() }))
     }
 }

@@ -4,12 +4,9 @@ use super::{
     BlockOptions, ChosenPair, GeoreferencingOptions, PairRule, RefinementOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs,
     near_pairs, sequence_pairs,
 };
-use crate::catalogue::{check_groups, options};
-use crate::{
-    Document, Error, FeatureOptions, GradientOptions, Group, MultiscaleOptions, NearestOptions, Parameter, PartlyGiven, TwoViewOptions,
-};
+use crate::catalogue::options;
+use crate::{Error, FeatureOptions, GradientOptions, Group, MultiscaleOptions, NearestOptions, Parameter, PartlyGiven, TwoViewOptions};
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 
 options! {
     /// Which pairs of a block are tried, and what connects them.
@@ -113,19 +110,7 @@ impl Default for BlockSettings {
 }
 
 impl PartlyGiven for BlockSettings {
-    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
-        check_groups(Self::GROUPS, given, document)
-    }
-}
-
-impl BlockSettings {
-    /// All parameters, in the order of the pipeline.
-    pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
-        Self::GROUPS.iter().flat_map(|group| group.parameters)
-    }
-
-    /// The same by where they stand.
-    pub const GROUPS: &'static [Group] = &[
+    const GROUPS: &'static [Group] = &[
         Group { path: "pairs", parameters: PairChoice::PARAMETERS },
         Group { path: "features.multiscale", parameters: MultiscaleOptions::PARAMETERS },
         Group { path: "features.gradient", parameters: GradientOptions::PARAMETERS },
@@ -136,6 +121,13 @@ impl BlockSettings {
         Group { path: "refinement", parameters: RefinementOptions::PARAMETERS },
         Group { path: "placing", parameters: GeoreferencingOptions::PARAMETERS },
     ];
+}
+
+impl BlockSettings {
+    /// All parameters, in the order of the pipeline.
+    pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
+        Self::GROUPS.iter().flat_map(|group| group.parameters)
+    }
 
     /// Rejects values outside their ranges, and a coordinate system that cannot be read.
     ///

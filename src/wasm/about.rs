@@ -1,7 +1,7 @@
 //! What the module says of itself: version, defaults, parameters.
 
 use super::convert::{JsResult, pack, read, read_options};
-use crate::{CALL_PARAMETERS, Group, PairHint, PairPreset, PairSettings, PairVerdict, Parameter, acting};
+use crate::{CALL_PARAMETERS, Group, PairHint, PairPreset, PairSettings, PairVerdict, Parameter, PartlyGiven, acting};
 use serde::Serialize;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;

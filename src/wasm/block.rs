@@ -2,7 +2,7 @@
 
 use super::about::pack_groups;
 use super::convert::{JsResult, Numbers, pack, read_options, rows, thrown};
-use crate::{BlockSettings, acting, local_from_geographic};
+use crate::{BlockSettings, PartlyGiven, acting, local_from_geographic};
 use js_sys::Float64Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;

@@ -10,9 +10,10 @@ use super::finished::FinishedBlock;
 use crate::catalogue::check_call;
 use crate::{
     BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, ExifPosition, FileFault, FilmInput, FilmScan, GivenLink, GivenPosition,
-    HeightModel, Heights, Mosaic, Orthophoto, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SCAN_LIMITS, SearchArea,
-    Sidecars, control_by_hand, decode, decode_bands, ground_positions, heights_of_block, image_positions, links_table, place_by_links,
-    place_film, place_film_by_links, place_recorded, placed_table, read_project, rectify_placed, write_geotiff, write_heights,
+    HeightModel, Heights, Mosaic, Orthophoto, PartlyGiven, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SCAN_LIMITS,
+    SearchArea, Sidecars, control_by_hand, decode, decode_bands, ground_positions, heights_of_block, image_positions, links_table,
+    place_by_links, place_film, place_film_by_links, place_recorded, placed_table, read_project, rectify_placed, write_geotiff,
+    write_heights,
 };
 use js_sys::Uint8Array;
 use serde::Deserialize;

@@ -3,8 +3,8 @@
 use super::about::pack_groups;
 use super::convert::{Bytes, JsResult, Number, Numbers, object, pack, read, read_options, rows, thrown, whole};
 use crate::{
-    DenseTruth, Flight, GreyImage, MatchScore, Preset, Rightness, check_flight as check, score_matches as score_by_truth, simulate as fly,
-    write_png,
+    DenseTruth, Flight, GreyImage, MatchScore, PartlyGiven, Preset, Rightness, check_flight as check, score_matches as score_by_truth,
+    simulate as fly, write_png,
 };
 use js_sys::{Float32Array, Reflect, Uint8Array};
 use wasm_bindgen::JsValue;

@@ -113,7 +113,7 @@ test('options outside their range end the run, and name themselves', async () =>
   await refused({ pairs: { least_matches: 1 } }, /pairs\.least_matches is 1; allowed/);
   await refused({ features: { multiscale: { contrast: -1 } } }, /multiscale\.contrast is -1; allowed/);
   await refused({ nearest: { ratio: NaN } }, /NaN/);
-  await refused({ pears: {} }, /unknown field `pears`/);
+  await refused({ pears: {} }, /pears: unknown field; allowed: /);
 });
 
 test('options, images, pool and store that are none are refused by their names, before anything is read', async () => {
@@ -129,7 +129,7 @@ test('options, images, pool and store that are none are refused by their names, 
       (/** @type {any} */ error) =>
         error.name === 'TiepointError' && error.usage && pattern.test(error.message) && error.message === message('error', error.error),
     );
-  await refused(images, { setting: {} }, surroundings, /^options: setting: unknown field `setting`, expected one of `settings`, `cameras`, `gps`, /);
+  await refused(images, { setting: {} }, surroundings, /^options: setting: unknown field; allowed: settings, cameras, gps, /);
   await refused(images, { gps: 'no' }, surroundings, /^gps is no; allowed: use, ignore$/);
   await refused(images, { positions: ['a,8,50'] }, surroundings, /^positions is \[1\]; allowed: string$/);
   await refused(images, { cameras: '{}' }, surroundings, /^cameras is \{\}; allowed: \{ name, text \}$/);

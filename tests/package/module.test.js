@@ -112,6 +112,17 @@ test('options of another type are refused by their names', () => {
   );
 });
 
+test('objects beside options are refused by their fields, in words of JSON', () => {
+  const photo = Photo.decode(PNG);
+  const known = (/** @type {unknown} */ given, /** @type {RegExp} */ pattern) =>
+    refused(() => match_pair(photo, photo, any(given), {}), pattern, 'invalid-json');
+  known({ camera: [153, [0, 0]] }, /^input: camera: got a list; allowed: an object$/);
+  known({ camera: { focal_mm: '153' } }, /^input: camera\.focal_mm: got "153"; allowed: a number$/);
+  known({ camera: { focal_mm: 153, principal_point_mm: [0] } }, /^input: camera\.principal_point_mm: got a list of 1; allowed: a list of 2$/);
+  known({ camera: {} }, /^input: camera\.focal_mm: missing$/);
+  known({ camera: { focal_mm: 153, focal: 1 } }, /^input: camera\.focal: unknown field; allowed: .*focal_mm/);
+});
+
 test('a number outside its range is refused by what its option allows, whatever it is', () => {
   const option = (/** @type {unknown} */ settings, /** @type {RegExp} */ pattern) => refused(() => resolved(any(settings)), pattern, 'invalid-option');
   for (const [number, got] of /** @type {const} */ ([
@@ -149,7 +160,7 @@ test('an object that is freed twice, or was moved into another one, is freed onc
   assert.throws(() => run.finish(), { name: 'TiepointError' });
   run.free();
   if (Symbol.dispose) run[Symbol.dispose]();
-  assert.throws(() => photo.grey(), /the object was freed/);
+  refused(() => photo.grey(), /^the object was freed/);
 });
 
 test('what a run would refuse of positions and control points is asked with the options that differ from their defaults', () => {
@@ -170,7 +181,9 @@ test('what a run would refuse of positions and control points is asked with the 
 test('a call before the module is loaded, and of an object that was freed, says what to do', () => {
   const photo = Photo.decode(PNG);
   photo.free();
-  assert.throws(() => photo.width, /^Error: the object was freed, or moved into another one: make a new one$/);
+  const told = /^the object was freed, or moved into another one; allowed: objects that are neither$/;
+  refused(() => photo.width, told);
+  refused(() => match_pair(photo, photo, {}, {}), told);
   const browser = new URL('../../pkg/browser.js', import.meta.url).href;
   const program = `import { Photo } from '${browser}'; try { Photo.decode(new Uint8Array(1)); } catch ({ message }) { console.log(message); }`;
   const { stdout } = spawnSync(process.execPath, ['--input-type=module', '--eval', program], { encoding: 'utf8' });

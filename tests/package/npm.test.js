@@ -22,6 +22,8 @@ function run(program, args, cwd) {
 const work = mkdtempSync(join(tmpdir(), 'tiepoint-pack-'));
 after(() => rmSync(work, { recursive: true, force: true }));
 
+const README = readFileSync(join(PKG, 'README.md'), 'utf8');
+
 /** @type {{ filename: string, files: { path: string }[] }[]} */
 const [pack] = JSON.parse(run(NPM, ['pack', '--json', '--pack-destination', work], PKG).replace(/^[^[]*(?=\[)/, ''));
 const files = (pack?.files ?? []).map(({ path }) => path);
@@ -62,6 +64,16 @@ test('what a packed document links to is packed, and no copy of it stays beside 
     [],
   );
   assert.equal(existsSync(join(PKG, 'docs')), false);
+});
+
+test('the README of the package leads to the documents of the checkout too, and is as it was after it was packed', () => {
+  const linked = [...README.matchAll(/\]\(([^)#\s]+)(?:#[^)]*)?\)/g)].map(([, link = '']) => link);
+  assert.ok(linked.length > 8, linked.join(' '));
+  assert.deepEqual(
+    linked.filter((link) => !existsSync(join(PKG, link))),
+    [],
+  );
+  assert.equal(readFileSync(join(PKG, 'README.md'), 'utf8'), README);
 });
 
 test('every file that a packed script imports is packed', () => {

@@ -1,7 +1,11 @@
 /** The generated JavaScript of the module, with what a caller does wrong said in words of the package. */
 
 const UNLOADED = 'the module is not loaded: call the default export of tiepoint and wait for it first';
-const FREED = 'the object was freed, or moved into another one: make a new one';
+
+/** Throws what the crate throws where it refuses an input.  @param {string} error code of it */
+const thrown = (error) =>
+  `const error = ${error};
+        throw Object.assign(new Error(message('error', error)), { name: 'TiepointError', code: 'invalid-input', usage: false, error });`;
 
 /** Pieces of generated code, how often each stands there, and what takes its place. @type {readonly (readonly [string, number, string])[]} */
 const PIECES = [
@@ -16,13 +20,14 @@ const PIECES = [
     `throw new Error(\`expected instance of \${klass.name}\`);`,
     1,
     `const got = instance?.constructor?.name ?? (instance === null ? 'null' : typeof instance);
-        const error = { kind: 'invalid-argument', what: 'argument', got, wanted: klass.name };
-        throw Object.assign(new Error(message('error', error)), { name: 'TiepointError', code: 'invalid-input', usage: false, error });`,
+        ${thrown("{ kind: 'invalid-argument', what: 'argument', got, wanted: klass.name }")}`,
   ],
   [
     'throw new Error(getStringFromWasm0(arg0, arg1));',
     1,
-    `const words = getStringFromWasm0(arg0, arg1);\n            throw new Error(words === 'null pointer passed to rust' ? '${FREED}' : words);`,
+    `const words = getStringFromWasm0(arg0, arg1);
+        if (words !== 'null pointer passed to rust') throw new Error(words);
+        ${thrown("{ kind: 'invalid-input', refusal: { kind: 'freed_object' } }")}`,
   ],
 ];
 

@@ -1,9 +1,8 @@
 //! What the user chooses of gradient descriptors.
 
-use crate::catalogue::{check_groups, options};
-use crate::{Document, Error, Group, MultiscaleOptions, PartlyGiven};
+use crate::catalogue::options;
+use crate::{Group, MultiscaleOptions, PartlyGiven};
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 
 options! {
     /// Options of [`gradient_features`](crate::gradient_features).
@@ -34,11 +33,8 @@ pub struct FeatureOptions {
 }
 
 impl PartlyGiven for FeatureOptions {
-    fn check_given(given: &Value, document: &Document) -> Result<(), Error> {
-        const GROUPS: &[Group] = &[
-            Group { path: "multiscale", parameters: MultiscaleOptions::PARAMETERS },
-            Group { path: "gradient", parameters: GradientOptions::PARAMETERS },
-        ];
-        check_groups(GROUPS, given, document)
-    }
+    const GROUPS: &'static [Group] = &[
+        Group { path: "multiscale", parameters: MultiscaleOptions::PARAMETERS },
+        Group { path: "gradient", parameters: GradientOptions::PARAMETERS },
+    ];
 }
