@@ -82,7 +82,7 @@ export const match = {
     if (values.has('json')) printJson(result);
     else
       print(
-        ...describe(output, settings),
+        ...describe(output, settings, input),
         ...(input.camera ? [] : describeFileCameras([leftPath, rightPath], cameras)),
         ...(score ? ['', ...describeScore(score, output)] : []),
         ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []),
@@ -181,14 +181,25 @@ function describeGeometry({ match: { geometry, no_geometry: none }, no_orientati
   ];
 }
 
-/** The outcome in text.  @param {PairOutput} output @param {import('../node.js').Given<import('../node.js').PairSettings>} settings @returns {string[]} */
-export function describe(output, settings) {
+/** What the command takes that a verdict asks for.  @param {import('../node.js').PairVerdict} verdict @param {import('../node.js').Given<import('../node.js').PairInput>} input @returns {string[]} */
+function cameraHint(verdict, input) {
+  if (cameraWanted(verdict) !== 'given') return [];
+  // Of a scan the marks tell how large its pixels are on the film.
+  if (input.camera) return ['hint: give the fiducial marks of scans with --left-fiducials and --right-fiducials, or pixel_mm in the camera'];
+  return ['hint: give the camera with --camera FILE, or its focal length alone with --focal-px F'];
+}
+
+/**
+ * The outcome in text.
+ * @param {PairOutput} output @param {import('../node.js').Given<import('../node.js').PairSettings>} settings @param {import('../node.js').Given<import('../node.js').PairInput>} input @returns {string[]}
+ */
+export function describe(output, settings, input) {
   const { matches, ...rejected } = output.match.counts;
   const hint = pair_hint(output.verdict, settings);
   return [
     message('pair_verdict', output.verdict),
     ...(hint ? [`hint: ${message('pair_hint', hint)}`] : []),
-    ...(cameraWanted(output.verdict) === 'given' ? ['hint: give the camera with --camera FILE, or its focal length alone with --focal-px F'] : []),
+    ...cameraHint(output.verdict, input),
     '',
     countTable([
       ['left', output.left],

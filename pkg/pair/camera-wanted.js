@@ -17,7 +17,7 @@ const GIVEN = [
 ];
 
 /** Warnings that doubt the camera that is used.  @type {readonly Reason[]} */
-const OTHER = ['focal_length', 'wide_angle', 'contradicted_focal', 'doubtful_focal'];
+const OTHER = ['focal_length', 'wide_angle', 'contradicted_focal', 'doubtful_focal', 'far_principal_point'];
 
 /**
  * What a verdict asks for: `given`, a camera where none is known or hardly one; `other`, another one than that which is used; null: no camera helps.

@@ -255,6 +255,26 @@ test('cameras of a file take the place of those of EXIF', () => {
     short.stderr,
     /the focal length of \*, 480 x 360 px is 11\.7 px, 0\.024 of the longer side of the image, where 0\.3 to 20 are usual: is it in mm\?/,
   );
+  assert.ok(short.code === 3 || short.code === 4, `${short.code}`);
+});
+
+test('a block of a camera that its files contradict, or whose principal point is far off, is weak, and says so first', () => {
+  for (const [camera, told] of /** @type {const} */ ([
+    [
+      { focal_px: 1416 },
+      /^Weak orientation: .* A camera is hardly the right one \(the focal length of .* is given as 1416 px, where the files of these images say 708\.3 px: /,
+    ],
+    [
+      { focal_px: 708, principal_point_px: [600, 180] },
+      /^Weak orientation: .* A camera is hardly the right one \(the principal point of .* lies 0\.75 times the longer side /,
+    ],
+  ])) {
+    const cameras = file(at, 'other.json', JSON.stringify({ cameras: [camera] }));
+    const { code, stdout } = tiepoint(...BLOCK.call, '--out', half(), '--cameras', cameras, '--json');
+    const { verdict } = JSON.parse(stdout);
+    assert.deepEqual([code, verdict.kind], [3, 'weak'], verdict.text);
+    assert.match(verdict.text, told);
+  }
 });
 
 test('surveyed points place the block', () => {

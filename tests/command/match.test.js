@@ -126,6 +126,22 @@ test('without a focal length the matches stand and the orientation is null with 
   assert.match(stdout, /^Not oriented: .*focal/);
 });
 
+test('of scans with a camera and nothing that tells the size of their pixels, marks are asked for and not the camera', () => {
+  const [left = '', right = ''] = call.slice(1, 3);
+  const hinted = (/** @type {string[]} */ ...options) => tiepoint('match', left, right, '--strategy', 'moments', ...options).stdout;
+  const camera = file(at, 'of-film.json', JSON.stringify({ focal_mm: 153 }));
+  assert.match(hinted('--camera', camera), /^hint: give the fiducial marks of scans with --left-fiducials and --right-fiducials, or pixel_mm in the camera$/m);
+  assert.match(hinted(), /^hint: give the camera with --camera FILE/m);
+});
+
+test('a principal point that is far from the middle of the image is no orientation without doubt', () => {
+  const [left = '', right = ''] = call.slice(1, 3);
+  const camera = (/** @type {number[]} */ at_mm) => JSON.stringify({ focal_mm: 0.6, pixel_mm: 0.001, principal_point_mm: at_mm });
+  const far = tiepoint('match', left, right, '--camera', file(at, 'far.json', camera([0.5, 0.1])));
+  assert.equal(far.code, 3, far.stdout);
+  assert.match(far.stdout, /principal point of the left photo lies 0\.\d+ times the longer side of its image from the middle, where up to 0\.5 times is usual/);
+});
+
 test('a focal length in px stands for a camera of pixels of 0.001 mm', () => {
   const [left = '', right = ''] = call.slice(1, 3);
   const camera = file(at, 'px.json', JSON.stringify({ focal_mm: 0.6, pixel_mm: 0.001 }));

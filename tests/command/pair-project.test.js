@@ -48,7 +48,7 @@ for (const [name, ...args] of [
       }),
     );
     assert.deepEqual(opened, result);
-    assert.ok(tiepoint(...args).stdout.startsWith(describe(output, settings).join('\n')));
+    assert.ok(tiepoint(...args).stdout.startsWith(describe(output, settings, project.input).join('\n')));
     assert.equal(write_pair_project(project), bytes.toString());
   });
 }
