@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 47] = [
+pub(super) const NESTED: [&str; 48] = [
     "allowed",
     "axis",
     "block_warning",
@@ -51,6 +51,7 @@ pub(super) const NESTED: [&str; 47] = [
     "placing_weakness",
     "point_name",
     "refusal",
+    "remark",
     "rule",
     "side",
     "unit",
