@@ -353,6 +353,7 @@ no-orientation-no-focal-length = أُعطيت العلامات الإطارية 
 no-orientation-no-pixel-size = البعد البؤري للصورة { $side } معروف بالمليمتر لا بالبكسل: لا علامات إطارية ولا حجم بكسل معروفان
 no-orientation-altered = عُدّلت الصورة { $side }: { $camera_caution }
 no-orientation-contradicted-focal = لا شيء يوافق البعد البؤري المعطى { FIXED($given_px, digits: 0) } بكسل، وملف الصورة { $side } يذكر { FIXED($file_px, digits: 0) } بكسل (هل الكاميرا لصور من قياس آخر أو عدسة أخرى أو تقريب آخر، أم كُتبت القيمة خطأً؟)
+no-orientation-far-principal-point = لا شيء يوافق النقطة الرئيسية التي تبعد عن وسط الصورة { $side } بمقدار { SIGNIFICANT($sides, digits: 2) } من ضلعها الأطول، والمعتاد حتى { $most } (هل إحداثياتها بوحدة أخرى أو من مبدأ آخر؟)
 no-orientation-panorama = الصورة { $side } بانوراما: ليس لها منظور مركزي ولا كاميرا
 no-orientation-no-geometry = لا هندسة للمشهدين: { $no_geometry }
 no-orientation-pure-rotation = لا قاعدة (دوران خالص): تختلف الصورتان بدوران وحده

@@ -847,6 +847,7 @@ no-orientation-no-focal-length = fiducial marks are given, but no focal length
 no-orientation-no-pixel-size = the focal length of the { $side } image is known in mm, but not in px: neither fiducial marks nor a pixel size is known
 no-orientation-altered = the { $side } image was altered: { $camera_caution }
 no-orientation-contradicted-focal = nothing fits the given focal length of { FIXED($given_px, digits: 0) } px, and the file of the { $side } image says { FIXED($file_px, digits: 0) } px (is the camera that of another photo size, lens or zoom, or a value mistyped?)
+no-orientation-far-principal-point = nothing fits the principal point, which lies { SIGNIFICANT($sides, digits: 2) } times the longer side of the { $side } image from its middle, where up to { $most } times is usual (are its coordinates in another unit, or from another origin?)
 no-orientation-panorama = the { $side } image is a panorama: it has no central perspective, and no camera
 no-orientation-no-geometry = no geometry of the two views: { $no_geometry }
 no-orientation-pure-rotation = no base (pure rotation): the photos differ by a rotation alone

@@ -40,6 +40,7 @@ fn is_by_any_strategy(no_orientation: &NoOrientation) -> bool {
             | NoOrientation::NoPixelSize { .. }
             | NoOrientation::Altered { .. }
             | NoOrientation::ContradictedFocal { .. }
+            | NoOrientation::FarPrincipalPoint { .. }
             | NoOrientation::Panorama { .. }
             | NoOrientation::OnePhoto
             | NoOrientation::PartsOfOneImage

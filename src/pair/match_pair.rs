@@ -111,10 +111,16 @@ fn assumed(reason: NoOrientation, found: &TwoView, known: [KnownPhoto<'_>; 2]) -
 /// So many times as long a focal length as the file says, or as short, explains that nothing fits.
 const FAR_OFF: f64 = 2.0;
 
-/// Why there is no orientation: by a given focal length that is far from that of the file, where nothing fits.
+/// Why there is no orientation: by a given focal length that is far from that of the file, or a principal point far from the middle of the image, where
+/// nothing fits.
 fn by_camera(reason: NoOrientation, interior: Option<&PairInterior>) -> NoOrientation {
     let fits_nothing = matches!(reason, NoOrientation::Refused { .. } | NoOrientation::NoGeometry { .. });
-    match interior.and_then(|interior| interior.doubt).filter(|_| fits_nothing) {
+    match interior.and_then(|interior| interior.doubt) {
+        // From a camera that looks aside photos seem to differ by a rotation.
+        Some(Warning::FarPrincipalPoint { side, sides, most }) if fits_nothing || reason == NoOrientation::PureRotation => {
+            NoOrientation::FarPrincipalPoint { side, sides, most }
+        }
+        _ if !fits_nothing => reason,
         Some(Warning::ContradictedFocal { side, given_px, file_px }) if !(1.0 / FAR_OFF..=FAR_OFF).contains(&(given_px / file_px)) => {
             NoOrientation::ContradictedFocal { side, given_px, file_px }
         }
@@ -159,6 +165,13 @@ mod tests {
             assert_eq!(told(refused(), given_px), NoOrientation::ContradictedFocal { side: Side::Left, given_px, file_px: 600.0 });
         }
         assert_eq!(told(refused(), 800.0), refused());
+        let doubt = Some(Warning::FarPrincipalPoint { side: Side::Right, sides: 0.7, most: 0.5 });
+        let interior = PairInterior { left: own, right: own, focal_mm: 6.0, doubt, one_lens: true, are_scans: false };
+        let far = NoOrientation::FarPrincipalPoint { side: Side::Right, sides: 0.7, most: 0.5 };
+        for reason in [refused(), NoOrientation::PureRotation] {
+            assert_eq!(by_camera(reason, Some(&interior)), far);
+        }
+        assert_eq!(by_camera(NoOrientation::OnePhoto, Some(&interior)), NoOrientation::OnePhoto);
         assert_eq!(told(NoOrientation::OnePhoto, 60.0), NoOrientation::OnePhoto);
     }
 }

@@ -22,6 +22,8 @@ messages! {
         Altered { side: Side, camera_caution: CameraCaution },
         /// With the focal length that was given nothing fits, and the file of a photo says another one, in px.
         ContradictedFocal { side: Side, given_px: f64, file_px: f64 },
+        /// Nothing fits a principal point that lies so many longer sides of an image from its middle, of which up to `most` are usual.
+        FarPrincipalPoint { side: Side, sides: f64, most: f64 },
         /// An image of no central perspective.
         Panorama { side: Side },
         NoGeometry { no_geometry: NoGeometry },

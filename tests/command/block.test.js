@@ -269,7 +269,7 @@ test('a block of a camera that its files contradict, or whose principal point is
       /^Weak orientation: .* A camera is hardly the right one \(the principal point of .* lies 0\.75 times the longer side /,
     ],
   ])) {
-    const cameras = file(at, 'other.json', JSON.stringify({ cameras: [camera] }));
+    const cameras = file(folder(), 'other.json', JSON.stringify({ cameras: [camera] }));
     const { code, stdout } = tiepoint(...BLOCK.call, '--out', half(), '--cameras', cameras, '--json');
     const { verdict } = JSON.parse(stdout);
     assert.deepEqual([code, verdict.kind], [3, 'weak'], verdict.text);
