@@ -11,6 +11,8 @@ mod read;
 mod sampling;
 mod scene;
 
+#[path = "scene/flown.rs"]
+mod flown;
 #[path = "scene/normal.rs"]
 mod normal;
 #[path = "scene/shown.rs"]
@@ -30,10 +32,16 @@ mod block_report;
 mod build_digest;
 #[path = "catalogue.rs"]
 mod catalogue;
+#[path = "check_points.rs"]
+mod check_points;
+#[path = "common_offsets.rs"]
+mod common_offsets;
 #[path = "confidence.rs"]
 mod confidence;
 #[path = "control_errors.rs"]
 mod control_errors;
+#[path = "control_measurements.rs"]
+mod control_measurements;
 #[path = "coordinate_system.rs"]
 mod coordinate_system;
 #[path = "decode.rs"]

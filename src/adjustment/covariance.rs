@@ -6,9 +6,9 @@
 use super::adjusted_equations::Solved;
 use super::block::Block;
 use super::datum::{Freedoms, Seven};
+use super::factor3::forward3;
 use super::network::Columns;
 use super::precision::angles_by_turns;
-use super::reduced::forward3;
 use super::result::AdjustmentResult;
 use super::solution::Step;
 use super::sparse::N;

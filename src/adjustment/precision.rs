@@ -1,7 +1,8 @@
 //! Cofactors of the adjusted unknowns: the inverse of the normal equations where it is needed, in the datum that was asked for.
 
 use super::datum::{Freedoms, Seven};
-use super::reduced::{Problem, Reduced, backward3};
+use super::factor3::backward3;
+use super::reduced::{Problem, Reduced};
 use super::solution::Factored;
 use super::sparse::{Block6, Inverse, N, inverse};
 use super::state::State;

@@ -8,11 +8,12 @@
 
 use super::axis::WeightedAxis;
 use super::block::Block;
-use super::collinearity::{Linearised, linearise};
 use super::datum_part::DatumConstraint;
+use super::factor3::{factor3, forward3};
+use super::line::Line;
 use super::loss::Robust;
 use super::network::{Columns, Network, Sight};
-use super::sparse::{Block6, N, SparseMatrix, subtract_product3};
+use super::sparse::{N, SparseMatrix, subtract_product3};
 use super::state::State;
 use super::systematic::SystematicErrors;
 use super::weighted::Weighted;
@@ -86,9 +87,6 @@ pub(super) struct Reduced {
     pub camera_shares: Vec<(u32, [f64; 3])>,
     pub camera_start: Vec<usize>,
 }
-
-/// Least share 1 - R² of a point's coordinate that its rays must leave: rays within a millionth of parallel do not meet anywhere.
-const LEAST_SHARE: f64 = 1e-12;
 
 impl Problem<'_> {
     /// Sums up the normal equations at `state`, every own diagonal raised by the share `damping`.
@@ -342,85 +340,4 @@ impl Problem<'_> {
             }
         }
     }
-}
-
-/// A linearised ray with its weight.
-struct Line {
-    at: Linearised,
-    misclosure: [f64; 2],
-    /// With the factor of the robust loss.
-    weight: f64,
-}
-
-impl Line {
-    fn new(sight: &Sight, state: &State, robust: Robust) -> Self {
-        let at = linearise(&state.cameras[sight.camera as usize], &state.images[sight.image as usize], &state.points[sight.point as usize]);
-        let misclosure = [sight.at[0] - at.at[0], sight.at[1] - at.at[1]];
-        let square = sight.weight * (misclosure[0] * misclosure[0] + misclosure[1] * misclosure[1]);
-        Self { at, misclosure, weight: sight.weight * robust.factor(square) }
-    }
-
-    fn by_point(&self) -> [[f64; 3]; 2] {
-        self.at.by_point
-    }
-
-    fn add_to_point(&self, own: &mut [f64; 6], right: &mut [f64; 3]) {
-        let ([b, c], w, [vx, vy]) = (&self.at.by_point, self.weight, self.misclosure);
-        for (k, (i, j)) in [(0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2)].into_iter().enumerate() {
-            own[k] += w * (b[i] * b[j] + c[i] * c[j]);
-        }
-        (0..3).for_each(|k| right[k] += w * (b[k] * vx + c[k] * vy));
-    }
-
-    /// Z = w AᵀF.
-    fn share(&self, f: &[[f64; 3]; 2]) -> [f64; 18] {
-        let [a, b] = &self.at.by_image;
-        let mut share = [0.0; 18];
-        for (c, column) in share.as_chunks_mut::<N>().0.iter_mut().enumerate() {
-            let (f0, f1) = (self.weight * f[0][c], self.weight * f[1][c]);
-            (0..N).for_each(|r| column[r] = a[r] * f0 + b[r] * f1);
-        }
-        share
-    }
-
-    /// Adds w AᵀA - Z Zᵀ and w Aᵀv - Z y.
-    fn add_to_image(&self, z: &[f64; 18], y: &[f64; 3], diagonal: &mut Block6, scale: &mut [f64; N], right: &mut [f64]) {
-        let [a, b] = &self.at.by_image;
-        for (c, column) in diagonal.as_chunks_mut::<N>().0.iter_mut().enumerate() {
-            let (wa, wb) = (self.weight * a[c], self.weight * b[c]);
-            (0..N).for_each(|r| column[r] += a[r] * wa + b[r] * wb);
-        }
-        subtract_product3(diagonal, z, z);
-        let (vx, vy) = (self.weight * self.misclosure[0], self.weight * self.misclosure[1]);
-        for r in 0..N {
-            scale[r] += self.weight * (a[r] * a[r] + b[r] * b[r]);
-            right[r] += a[r] * vx + b[r] * vy - (z[r] * y[0] + z[6 + r] * y[1] + z[12 + r] * y[2]);
-        }
-    }
-}
-
-/// L of a symmetric matrix, both as its lower rows. `None` where a pivot is rounding.
-fn factor3(v: &[f64; 6]) -> Option<[f64; 6]> {
-    let pivot = |rest: f64, own: f64| (rest > LEAST_SHARE * own).then(|| rest.sqrt());
-    let l00 = pivot(v[0], v[0])?;
-    let l10 = v[1] / l00;
-    let l11 = pivot(v[2] - l10 * l10, v[2])?;
-    let l20 = v[3] / l00;
-    let l21 = (v[4] - l20 * l10) / l11;
-    let l22 = pivot(v[5] - l20 * l20 - l21 * l21, v[5])?;
-    Some([l00, l10, l11, l20, l21, l22])
-}
-
-/// L⁻¹ x.
-pub(super) fn forward3(l: &[f64; 6], x: [f64; 3]) -> [f64; 3] {
-    let a = x[0] / l[0];
-    let b = (x[1] - l[1] * a) / l[2];
-    [a, b, (x[2] - l[3] * a - l[4] * b) / l[5]]
-}
-
-/// L⁻ᵀ x.
-pub(super) fn backward3(l: &[f64; 6], x: [f64; 3]) -> [f64; 3] {
-    let c = x[2] / l[5];
-    let b = (x[1] - l[4] * c) / l[2];
-    [(x[0] - l[1] * b - l[3] * c) / l[0], b, c]
 }

@@ -4,8 +4,8 @@
 //! Baarda 1968, A testing procedure for use in geodetic networks; Förstner & Wrobel 2016, Photogrammetric Computer Vision, 4.6.
 
 use super::collinearity::{Linearised, linearise};
+use super::factor3::{backward3, forward3};
 use super::precision::{Cofactors, Matrix3, PointCofactors};
-use super::reduced::{backward3, forward3};
 use super::result::PriorStatistics;
 use super::sparse::{Block6, N};
 use super::state::State;

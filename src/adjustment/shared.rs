@@ -11,10 +11,11 @@
 use super::block::Block;
 use super::collinearity::linearise;
 use super::datum::Freedoms;
+use super::factor3::forward3;
 use super::gauss_newton::Adjusted;
 use super::loss::Robust;
 use super::precision::Matrix3;
-use super::reduced::{Problem, Reduced, forward3};
+use super::reduced::{Problem, Reduced};
 use super::solution::{Factored, Step};
 use super::sparse::{Block6, N};
 use super::state::State;

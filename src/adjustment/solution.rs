@@ -1,7 +1,8 @@
 //! Solves the reduced normal equations: a sparse factor of the images, bordered by the cameras and the systematic errors of positions.
 
+use super::factor3::backward3;
 use super::network::Columns;
-use super::reduced::{Problem, Reduced, backward3};
+use super::reduced::{Problem, Reduced};
 use super::sparse::{DenseFactor, Factor, N, Pattern, Refused};
 use super::state::State;
 use crate::math::dot3;

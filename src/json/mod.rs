@@ -3,6 +3,7 @@
 //! All goes through one reader of texts: for each other one the module would hold the code of every type once more.
 
 mod fault;
+mod key;
 mod reader;
 mod slip;
 mod tokens;

@@ -2,12 +2,11 @@
 //!
 //! Readers of libraries say it in names of Rust's types, and take a list for an object.
 
+use super::key::Key;
 use super::slip::{Segment, Slip};
 use super::tokens::Tokens;
 use super::{JsonKind, JsonSlip, JsonWanted};
-use serde::de::value::{BorrowedStrDeserializer, StringDeserializer};
 use serde::de::{DeserializeSeed, Deserializer, EnumAccess, IntoDeserializer, MapAccess, SeqAccess, VariantAccess, Visitor};
-use serde::forward_to_deserialize_any;
 use serde_json::Number;
 use std::borrow::Cow;
 
@@ -330,46 +329,6 @@ impl<'de> MapAccess<'de> for Fields<'_, 'de> {
 
     fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Slip> {
         self.reader.value(seed).map_err(|slip| slip.within(Segment::Field(self.key.to_string())))
-    }
-}
-
-/// The name of a field, which is the number of what it is about where it is read as one.
-struct Key<'de>(Cow<'de, str>);
-
-macro_rules! numbers_as_text {
-    ($($deserialize:ident $visit:ident),+) => {
-        $(fn $deserialize<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Slip> {
-            match self.0.parse() {
-                Ok(number) => visitor.$visit(number),
-                Err(_) => self.deserialize_any(visitor),
-            }
-        })+
-    };
-}
-
-impl<'de> Deserializer<'de> for Key<'de> {
-    type Error = Slip;
-
-    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Slip> {
-        match self.0 {
-            Cow::Borrowed(text) => BorrowedStrDeserializer::new(text).deserialize_any(visitor),
-            Cow::Owned(text) => StringDeserializer::new(text).deserialize_any(visitor),
-        }
-    }
-
-    numbers_as_text!(deserialize_u32 visit_u32, deserialize_u64 visit_u64, deserialize_i32 visit_i32, deserialize_i64 visit_i64);
-
-    fn deserialize_enum<V: Visitor<'de>>(self, _: &'static str, _: &'static [&'static str], visitor: V) -> Result<V::Value, Slip> {
-        visitor.visit_enum(self.0.into_deserializer())
-    }
-
-    fn deserialize_newtype_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, Slip> {
-        visitor.visit_newtype_struct(self)
-    }
-
-    forward_to_deserialize_any! {
-        bool i8 i16 u8 u16 f32 f64 char str string bytes byte_buf option unit unit_struct seq tuple tuple_struct map struct identifier
-        ignored_any
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::coarse_to_fine::CoarseToFine;
 use super::cross_correlation::{CrossCorrelation, SearchArea};
-use super::least_squares::{Fit as Found, LeastSquaresOptions, Refusal};
+use super::fit::{Fit as Found, LeastSquaresOptions, Refusal};
 use super::positions::check_positions;
 use super::region::Region;
 use super::rules::judge;

@@ -1,8 +1,8 @@
 //! Least squares matching of points that found no match, from where the matches around them foretell them.
 
 use super::area::limits;
+use super::fit::LeastSquaresOptions;
 use super::index::PositionIndex;
-use super::least_squares::LeastSquaresOptions;
 use super::local_map::LocalMap;
 use super::neighbours::Neighbours;
 use super::rules::set_of;

@@ -6,6 +6,7 @@ mod coarse_to_fine;
 mod correlation;
 mod cross_correlation;
 mod filling;
+mod fit;
 mod gradients;
 mod guided;
 mod images;
@@ -31,6 +32,7 @@ mod strategy;
 mod surface;
 #[cfg(test)]
 pub(crate) mod texture;
+mod warp;
 mod window_model;
 
 pub use blocks::DESCRIPTOR_BYTES;
@@ -47,8 +49,9 @@ pub use search::{Candidate, Described, candidates_of, match_points};
 pub use strategy::match_images;
 
 pub(crate) use filling::filled_in;
+pub(crate) use fit::{Fit as WindowFit, LeastSquaresOptions, Refusal};
 pub(crate) use gradients::verified_set;
 pub(crate) use guided::square_distance_of;
-pub(crate) use least_squares::{Fit as WindowFit, LeastSquares, LeastSquaresOptions, Refusal};
+pub(crate) use least_squares::LeastSquares;
 pub(crate) use parallax_gradient::within_parallax_gradient;
 pub(crate) use refine::refine;

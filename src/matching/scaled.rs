@@ -1,7 +1,8 @@
 //! Least squares matching of images of different scale: the finer one is halved until it shows things about as large as the other.
 
 use super::area::located;
-use super::least_squares::{LeastSquares, LeastSquaresOptions};
+use super::fit::LeastSquaresOptions;
+use super::least_squares::LeastSquares;
 use super::{Fit, MatchOptions, Verdict};
 use crate::{GreyImage, GreyView, halve};
 

@@ -3,6 +3,7 @@
 //! Data flow: [`BlockRun`](crate::BlockRun) → rows of images and pairs → tables, [`Summary`], [`BlockOverview`] → [`block_files`].
 
 mod accuracy;
+mod check_summary;
 mod covariances;
 mod coverage;
 mod files;
@@ -10,6 +11,7 @@ mod given_points;
 mod images;
 mod in_system;
 mod inspection;
+mod orientation_summary;
 mod overview;
 mod pair;
 mod pairs;
@@ -24,6 +26,7 @@ mod warning;
 mod with_text;
 
 pub use accuracy::{AccuracyMap, AccuracySummary, Expected, accuracy_map};
+pub use check_summary::CheckSummary;
 pub use covariances::{CovarianceUnknown, Covariances, block_covariances, covariance_table};
 pub use coverage::{Coverage, coverage};
 pub use files::{BlockFiles, block_files, planned_files};
@@ -32,11 +35,12 @@ pub use in_system::ResultSystem;
 pub use inspection::{
     ImagePlace, ImagePoint, ObservationDetail, ObservationPart, PointDetail, block_epipolar_line, image_points, point_detail, point_ids,
 };
+pub use orientation_summary::SystematicSummary;
 pub use overview::{BlockOverview, CameraRow, FoundPoints, PointColumns, RayCount};
 pub use pair::{PairEdits, PairPhoto, PairRun, PairTruth};
 pub use pairs::PairRow;
 pub use project::{PROJECT_VERSION, Project, ProjectKind, project_kind, read_project, write_block_project, write_pair_project};
-pub use summary::{CheckSummary, ExportOutcome, Summary, SystematicSummary};
+pub use summary::{ExportOutcome, Summary};
 pub use verdict::BlockVerdict;
 pub use warning::OverviewWarning;
 pub use with_text::WithText;

@@ -1,11 +1,12 @@
 //! A finished block at a glance: what the page shows of it.
 
+use super::check_summary::CheckSummary;
 use super::given_points::given_control;
 use super::images::{ImageRow, image_rows};
 use super::in_system::InSystem;
 use super::pairs::{PairRow, pair_rows};
 use super::precision::point_errors;
-use super::summary::{CheckSummary, NamedReason, outcome_counts};
+use super::summary::{NamedReason, outcome_counts};
 use super::verdict::BlockVerdict;
 use super::warning::{OverviewWarning, overview_warnings};
 use super::with_text::WithText;

@@ -1,24 +1,17 @@
 //! Images placed on an orthophoto.
 
 use super::about::pack_groups;
-use super::convert::{
-    Bytes, JsResult, Number, Numbers, Text, TextList, bytes_of, object, options_inside, pack, read, read_options, thrown, whole,
-    wrong_project,
-};
+use super::convert::{Bytes, JsResult, Number, Numbers, Text, TextList, object, options_inside, pack, read, read_options, thrown, whole};
 use super::file_in_parts::file_source;
-use super::finished::FinishedBlock;
-use crate::catalogue::check_call;
+use super::heights::{read_heights, read_sidecars};
 use crate::{
-    BlockLinks, CameraRules, DecodeLimits, Error, ExifImage, ExifPosition, FileFault, FilmInput, FilmScan, GivenLink, GivenPosition,
-    HeightModel, Heights, Mosaic, Orthophoto, PartlyGiven, PlacedImage, Placement, PlacingCamera, PlacingOptions, Project, SCAN_LIMITS,
-    SearchArea, Sidecars, control_by_hand, decode, decode_bands, ground_positions, heights_of_block, image_positions, links_table,
-    place_by_links, place_film, place_film_by_links, place_recorded, placed_table, read_project, rectify_placed, write_geotiff,
-    write_heights,
+    CameraRules, DecodeLimits, Error, ExifImage, ExifPosition, FilmInput, FilmScan, GivenLink, GivenPosition, Heights, Orthophoto,
+    PlacedImage, Placement, PlacingCamera, PlacingOptions, SCAN_LIMITS, SearchArea, control_by_hand, decode, decode_bands,
+    ground_positions, image_positions, links_table, place_by_links, place_film, place_film_by_links, place_recorded, placed_table,
+    rectify_placed, write_geotiff,
 };
-use js_sys::Uint8Array;
 use serde::Deserialize;
 use serde_json::Value;
-use std::io;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -98,14 +91,14 @@ struct PlaceByHand {
 /// An orthophoto with the heights of its ground in wasm memory, on which images are placed. Call `free` when it is no longer needed.
 #[wasm_bindgen]
 pub struct OrthophotoReference {
-    orthophoto: Orthophoto,
-    options: PlacingOptions,
-    area: Option<SearchArea>,
+    pub(super) orthophoto: Orthophoto,
+    pub(super) options: PlacingOptions,
+    pub(super) area: Option<SearchArea>,
 }
 
 impl OrthophotoReference {
     /// The points among which images are sought, found where they are not yet; to be put back.
-    fn taken_area(&mut self) -> JsResult<SearchArea> {
+    pub(super) fn taken_area(&mut self) -> JsResult<SearchArea> {
         match self.area.take() {
             Some(area) => Ok(area),
             None => SearchArea::new(&self.orthophoto, &self.options).map_err(thrown),
@@ -318,40 +311,6 @@ fn limits_of(is_film: bool) -> DecodeLimits {
     if is_film { SCAN_LIMITS } else { DecodeLimits::default() }
 }
 
-/// The images of an oriented block while they are placed on an orthophoto, one after the other, in wasm memory. Call `free` when it is no longer
-/// needed.
-#[wasm_bindgen]
-#[derive(Default)]
-pub struct BlockOnOrthophoto {
-    links: BlockLinks,
-}
-
-#[wasm_bindgen]
-impl BlockOnOrthophoto {
-    /// None is placed yet.
-    #[wasm_bindgen(constructor)]
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// Places an image of the block, by its index, with the camera that the block has adjusted; null for one that is not oriented.
-    #[wasm_bindgen(unchecked_return_type = "PlacingVerdict | null")]
-    pub fn place(&mut self, block: &FinishedBlock, index: &Number, file: &Bytes, reference: &mut OrthophotoReference) -> JsResult<JsValue> {
-        let index = whole("index of the image", index)?;
-        let image = decode(&file.read("file of the image")?, &DecodeLimits::default()).map_err(thrown)?.grey;
-        let area = reference.taken_area()?;
-        let placed = self.links.place(block.run(), index, image.view(), &reference.orthophoto, &area, &reference.options);
-        reference.area = Some(area);
-        placed.map(|placed| pack(&placed.map(|placed| &placed.verdict))).map_err(thrown)
-    }
-
-    /// The block in the system of the orthophoto, adjusted by places of its ground; what came of it stands in the summary. Where it could not be
-    /// linked it is as it was.
-    pub fn linked(&self, block: &FinishedBlock, reference: &OrthophotoReference) -> JsResult<FinishedBlock> {
-        self.links.linked(block.run(), &reference.orthophoto, &reference.options).map(FinishedBlock::of).map_err(thrown)
-    }
-}
-
 /// The GNSS position of an image: that of a table, else that which its file records.
 fn position_of(given: Option<&GivenPosition>, exif: &ExifImage) -> Option<ExifPosition> {
     given.map(GivenPosition::as_recorded).or(exif.position)
@@ -369,43 +328,6 @@ fn pairs<'a>(what: &'static str, numbers: &'a [f64]) -> JsResult<&'a [[f64; 2]]>
         (pairs, []) => Ok(pairs),
         _ => Err(thrown(Error::InvalidArgument { what, got: format!("{} numbers", numbers.len()), wanted: "two for each".into() })),
     }
-}
-
-/// One height for all, or a file.
-fn read_heights(heights: &JsValue, sidecars: &JsValue) -> JsResult<Heights> {
-    match bytes_of(heights) {
-        Some(file) => heights_of_file(&file, read_sidecars(sidecars)?).map(Heights::Model).map_err(thrown),
-        None => {
-            let height = read("heights", heights)?;
-            check_call("heights", height).map_err(thrown)?;
-            Ok(Heights::Level(height))
-        }
-    }
-}
-
-/// What stands beside a raster; none where nothing is given.
-fn read_sidecars(sidecars: &JsValue) -> JsResult<Sidecars> {
-    if sidecars.is_null() || sidecars.is_undefined() { Ok(Sidecars::default()) } else { read_options("sidecars", sidecars) }
-}
-
-/// A height model, or the tie points of the block that a project file holds.
-fn heights_of_file(file: &[u8], sidecars: Sidecars) -> Result<HeightModel, Error> {
-    if !file.starts_with(b"{") {
-        return HeightModel::read(file, sidecars);
-    }
-    match read_project(file)? {
-        Project::Block(run) => heights_of_block(&run),
-        Project::Pair(_) => Err(wrong_project(FileFault::HoldsPair)),
-    }
-}
-
-/// Refuses what is no height of the ground, nor a file of heights.
-#[wasm_bindgen]
-pub fn check_heights(
-    #[wasm_bindgen(unchecked_param_type = "number | Uint8Array")] heights: &JsValue,
-    #[wasm_bindgen(unchecked_optional_param_type = "Given<Sidecars>")] sidecars: &JsValue,
-) -> JsResult<()> {
-    read_heights(heights, sidecars).map(drop)
 }
 
 /// The tables of images that were placed: of the images, and of their links.
@@ -440,117 +362,4 @@ pub fn placing_parameters() -> JsValue {
 #[wasm_bindgen(unchecked_return_type = "PlacingOptions")]
 pub fn placing_defaults() -> JsValue {
     pack(&PlacingOptions::default())
-}
-
-/// A quick orthomosaic of an oriented block in wasm memory: each place is taken from the image whose projection centre is nearest in plan. Its file, a
-/// tiled GeoTIFF, is returned in parts: append what `add`, `leave_out` and `finish().end` return, then overwrite the first bytes with `finish().beginning`.
-/// Call `free` when it is no longer needed.
-#[wasm_bindgen]
-pub struct OrthoMosaic {
-    mosaic: Mosaic,
-    names: Vec<String>,
-    file: Outbox,
-}
-
-/// What was written to a file since that was taken last; what goes back to its beginning stands apart.
-#[derive(Default)]
-struct Outbox {
-    appended: Vec<u8>,
-    beginning: Option<Vec<u8>>,
-}
-
-impl io::Write for Outbox {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.beginning.as_mut().unwrap_or(&mut self.appended).extend_from_slice(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
-}
-
-impl io::Seek for Outbox {
-    fn seek(&mut self, to: io::SeekFrom) -> io::Result<u64> {
-        if to != io::SeekFrom::Start(0) {
-            return Err(io::ErrorKind::Unsupported.into());
-        }
-        self.beginning = Some(Vec::new());
-        Ok(0)
-    }
-}
-
-#[wasm_bindgen]
-impl OrthoMosaic {
-    /// Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
-    /// pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
-    /// adjustment, as the map of the page is.
-    pub fn open(
-        project: &Bytes,
-        #[wasm_bindgen(unchecked_param_type = "number | Uint8Array | null")] heights: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Given<Sidecars> | null | undefined")] heights_sidecars: &JsValue,
-        gsd: Option<Number>,
-        in_adjustment: Option<bool>,
-    ) -> JsResult<OrthoMosaic> {
-        let Project::Block(run) = read_project(&project.read("file of the project")?).map_err(thrown)? else {
-            return Err(thrown(wrong_project(FileFault::HoldsPair)));
-        };
-        let given = || read_heights(heights, heights_sidecars);
-        let heights = (!heights.is_null()).then(given).transpose()?;
-        let lay_out = if in_adjustment.unwrap_or(false) { Mosaic::in_adjustment } else { Mosaic::of_block };
-        let mosaic = lay_out(&run, heights, gsd.map(|gsd| gsd.read("gsd")).transpose()?).map_err(thrown)?;
-        Ok(Self { mosaic, names: run.model.images.iter().map(|image| image.name.clone()).collect(), file: Outbox::default() })
-    }
-
-    /// What is to be said of the heights that were given; null where there is nothing.
-    #[wasm_bindgen(unchecked_return_type = "Remark | null")]
-    pub fn remark(&self) -> JsValue {
-        pack(&self.mosaic.remark())
-    }
-
-    /// The names of the block's images.
-    #[wasm_bindgen(getter)]
-    pub fn names(&self) -> Vec<String> {
-        self.names.clone()
-    }
-
-    /// The indices of its oriented images in an order in which little waits in memory for images to come.
-    pub fn order(&self) -> Vec<usize> {
-        self.mosaic.order()
-    }
-
-    /// Width and height in px.
-    pub fn size(&self) -> Vec<usize> {
-        self.mosaic.size().to_vec()
-    }
-
-    /// Adds an image, by its index; one that is not oriented adds nothing. Gives what the file goes on with.
-    pub fn add(&mut self, index: &Number, file: &Bytes) -> JsResult<Vec<u8>> {
-        let image = decode_bands(&file.read("file of the image")?, &DecodeLimits::default()).map_err(thrown)?;
-        self.mosaic.add(whole("index of the image", index)?, &image, &mut self.file).map_err(thrown)?;
-        Ok(std::mem::take(&mut self.file.appended))
-    }
-
-    /// An image, by its index, that will not be added. Gives what the file goes on with.
-    pub fn leave_out(&mut self, index: &Number) -> JsResult<Vec<u8>> {
-        self.mosaic.leave_out(whole("index of the image", index)?, &mut self.file).map_err(thrown)?;
-        Ok(std::mem::take(&mut self.file.appended))
-    }
-
-    /// The heights on which it lies, as GeoTIFF; absent where these are one for all.
-    pub fn heights(&self) -> JsResult<Option<Vec<u8>>> {
-        match self.mosaic.heights() {
-            Heights::Model(model) => write_heights(model, self.mosaic.epsg()).map(Some).map_err(thrown),
-            Heights::Level(_) => Ok(None),
-        }
-    }
-
-    /// What the file ends with, and the bytes that it begins with in place of those that were given first.
-    #[wasm_bindgen(unchecked_return_type = "{ end: Uint8Array; beginning: Uint8Array }")]
-    pub fn finish(mut self) -> JsResult<JsValue> {
-        self.mosaic.finish(&mut self.file).map_err(thrown)?;
-        let bytes = |bytes: &[u8]| Uint8Array::from(bytes).into();
-        let Outbox { appended, beginning } = &self.file;
-        Ok(object([("end", bytes(appended)), ("beginning", bytes(beginning.as_deref().unwrap_or_default()))]))
-    }
 }

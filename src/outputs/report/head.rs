@@ -2,7 +2,7 @@
 
 use super::subject::{NAMED, Subject};
 use crate::html::{count, fixed, listed, quantity, said, significant};
-use crate::outputs::summary::{ModelSummary, OrientationSummary};
+use crate::outputs::orientation_summary::{ModelSummary, OrientationSummary};
 use crate::outputs::warning::overview_warnings;
 use crate::text::shorten;
 use crate::{BlockScore, Datum, ResultSystem, Texts};
