@@ -6,7 +6,7 @@ use super::file_in_parts::file_source;
 use super::heights::{read_heights, read_sidecars};
 use crate::{
     CameraRules, DecodeLimits, Error, ExifImage, ExifPosition, FilmInput, FilmScan, GivenLink, GivenPosition, Heights, Orthophoto,
-    PlacedImage, Placement, PlacingCamera, PlacingOptions, SCAN_LIMITS, SearchArea, control_by_hand, decode, decode_bands,
+    PartlyGiven, PlacedImage, Placement, PlacingCamera, PlacingOptions, SCAN_LIMITS, SearchArea, control_by_hand, decode, decode_bands,
     ground_positions, image_positions, links_table, place_by_links, place_film, place_film_by_links, place_recorded, placed_table,
     rectify_placed, write_geotiff,
 };
