@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { block, FLIGHT, photos, status } from './blocks.js';
-import { hosted, part, partsKept, SKIP, until, upload } from './page.js';
+import { hosted, part, partsKept, rowsKept, SKIP, until, upload } from './page.js';
 import { blockPhotos } from './rendered.js';
 
 hosted('/beside-new/');
@@ -25,22 +25,8 @@ async function run(page) {
 
 /** The images of the blocks that the browser keeps, in the order of their first ones.  @param {Page} page @returns {Promise<string[][]>} */
 async function blocksKept(page) {
-  const projects = await page.evaluate(
-    () =>
-      new Promise((resolve) => {
-        const opening = indexedDB.open('tiepoint');
-        opening.onsuccess = () => {
-          const reading = opening.result.transaction('parts').objectStore('parts').getAll();
-          reading.onsuccess = () => {
-            opening.result.close();
-            resolve(
-              reading.result.filter(({ part }) => part === 'block').map(({ value }) => value.files.map((/** @type {{ name: string }} */ { name }) => name)),
-            );
-          };
-        };
-      }),
-  );
-  return /** @type {string[][]} */ (projects).sort();
+  const blocks = (await rowsKept(page, 'block')).filter(({ part }) => part === 'block');
+  return blocks.map(({ value }) => value.files.map((/** @type {{ name: string }} */ { name }) => name)).sort();
 }
 
 /** Photos of the flight by other names.  @param {string} start */
@@ -105,9 +91,12 @@ async function late(page, field) {
     Object.defineProperty(Worker.prototype, 'onmessage', {
       set(/** @type {(event: MessageEvent) => void} */ take) {
         heard?.set?.call(this, (/** @type {MessageEvent} */ event) => {
-          const isIt = event.data?.output?.[known] !== undefined;
-          if (isIt) Object.assign(window, { isFound: true });
-          setTimeout(() => take(event), isIt ? 1000 : 0);
+          if (event.data?.output?.[known] === undefined) return setTimeout(() => take(event));
+          Object.assign(window, { isFound: true });
+          return setTimeout(() => {
+            take(event);
+            Object.assign(window, { isTaken: true });
+          }, 500);
         });
       },
     });
@@ -131,7 +120,9 @@ test('a block that is found when its project is left is not of the next one', { 
   await part(page, 'block-run').click();
   await page.waitForFunction(() => 'isFound' in window);
   await press(page, 'anew');
-  await page.waitForTimeout(2500);
+  // What follows of the answer, if anything does, is there soon.
+  await page.waitForFunction(() => 'isTaken' in window);
+  await page.waitForTimeout(500);
   await isBlank(page);
   assert.deepEqual(complaints, []);
   await close();
@@ -143,7 +134,9 @@ test('images that are being placed on an orthophoto when the project is left are
   await part(page, 'block-place-first').click();
   await page.waitForFunction(() => 'isFound' in window);
   await press(page, 'anew');
-  await page.waitForTimeout(2500);
+  // What follows of the answer, if anything does, is there soon.
+  await page.waitForFunction(() => 'isTaken' in window);
+  await page.waitForTimeout(500);
   await isBlank(page);
   assert.deepEqual(complaints, []);
   await close();
