@@ -33,7 +33,8 @@ async function axe(page, only, within) {
 
 /**
  * Looks at a state of the page on both screens and in both themes; collects what axe finds, with the first state where it does.
- * @param {Page} page @param {Map<string, string>} found @returns {(where: string, within?: string) => Promise<void>} within: where something lies over the rest
+ * @param {Page} page @param {Map<string, string>} found @returns {(where: string, within?: string) => Promise<void>} within: the parts that the
+ * state changed of one that was looked at as a whole; a part that is not there is an error
  */
 export function looker(page, found) {
   const note = (/** @type {string} */ where, /** @type {[string, string][]} */ findings) => {

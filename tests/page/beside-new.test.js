@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { block, FLIGHT, photos, status } from './blocks.js';
-import { hosted, part, partsKept, SKIP, until, upload } from './page.js';
+import { hosted, part, partsKept, rowsKept, SKIP, until, upload } from './page.js';
 import { blockPhotos } from './rendered.js';
 
 hosted('/beside-new/');
@@ -25,22 +25,8 @@ async function run(page) {
 
 /** The images of the blocks that the browser keeps, in the order of their first ones.  @param {Page} page @returns {Promise<string[][]>} */
 async function blocksKept(page) {
-  const projects = await page.evaluate(
-    () =>
-      new Promise((resolve) => {
-        const opening = indexedDB.open('tiepoint');
-        opening.onsuccess = () => {
-          const reading = opening.result.transaction('parts').objectStore('parts').getAll();
-          reading.onsuccess = () => {
-            opening.result.close();
-            resolve(
-              reading.result.filter(({ part }) => part === 'block').map(({ value }) => value.files.map((/** @type {{ name: string }} */ { name }) => name)),
-            );
-          };
-        };
-      }),
-  );
-  return /** @type {string[][]} */ (projects).sort();
+  const blocks = (await rowsKept(page, 'block')).filter(({ part }) => part === 'block');
+  return blocks.map(({ value }) => value.files.map((/** @type {{ name: string }} */ { name }) => name)).sort();
 }
 
 /** Photos of the flight by other names.  @param {string} start */

@@ -280,24 +280,30 @@ export async function says(page, id, pattern) {
   return (await part(page, id).textContent()) ?? '';
 }
 
-/** What the browser keeps as parts whose names begin so: files as empty objects.  @param {import('playwright-core').Page} page @param {string} start @returns {Promise<Map<string, any>>} */
-export const partsKept = async (page, start) =>
-  new Map(
-    await page.evaluate(
-      (from) =>
-        new Promise((resolve) => {
-          const opening = indexedDB.open('tiepoint');
-          opening.onsuccess = () => {
-            const reading = opening.result.transaction('parts').objectStore('parts').getAll();
-            reading.onsuccess = () => {
-              opening.result.close();
-              resolve(reading.result.filter(({ part }) => part.startsWith(from)).map(({ part, value }) => [part, value]));
-            };
+/**
+ * The parts of projects that the browser keeps whose names begin so, each with its project: files are empty objects.
+ * @param {import('playwright-core').Page} page @param {string} start @param {boolean} [isWhole] with their values, which may have megabytes
+ * @returns {Promise<{ project: string, part: string, value: any }[]>}
+ */
+export const rowsKept = (page, start, isWhole = true) =>
+  page.evaluate(
+    ([from, whole]) =>
+      new Promise((resolve) => {
+        const opening = indexedDB.open('tiepoint');
+        opening.onsuccess = () => {
+          const reading = opening.result.transaction('parts').objectStore('parts').getAll();
+          reading.onsuccess = () => {
+            opening.result.close();
+            const named = reading.result.filter(({ part }) => part.startsWith(from));
+            resolve(named.map(({ project, part, value }) => ({ project, part, value: whole ? value : null })));
           };
-        }),
-      start,
-    ),
+        };
+      }),
+    /** @type {const} */ ([start, isWhole]),
   );
+
+/** The same parts by their names.  @param {import('playwright-core').Page} page @param {string} start @returns {Promise<Map<string, any>>} */
+export const partsKept = async (page, start) => new Map((await rowsKept(page, start)).map(({ part, value }) => [part, value]));
 
 /** The edits that the browser keeps under a name.  @param {import('playwright-core').Page} page @param {string} name @returns {Promise<{ done: number, edits: any[] }>} */
 export async function journal(page, name) {
@@ -314,19 +320,5 @@ export async function keptEdits(page, name, edits, held) {
   });
 }
 
-/** How many parts of these names the browser keeps.  @param {import('playwright-core').Page} page @param {string} name @returns {Promise<number>} */
-export const partsNamed = (page, name) =>
-  page.evaluate(
-    (start) =>
-      new Promise((resolve) => {
-        const opening = indexedDB.open('tiepoint');
-        opening.onsuccess = () => {
-          const reading = opening.result.transaction('parts').objectStore('parts').getAllKeys();
-          reading.onsuccess = () => {
-            opening.result.close();
-            resolve(reading.result.filter((key) => String(/** @type {any} */ (key)[1]).startsWith(start)).length);
-          };
-        };
-      }),
-    name,
-  );
+/** How many parts of these names the browser keeps.  @param {import('playwright-core').Page} page @param {string} name */
+export const partsNamed = async (page, name) => (await rowsKept(page, name, false)).length;

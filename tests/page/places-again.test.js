@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { block, status } from './blocks.js';
-import { hosted, keptEdits, part, says, SHOTS, SKIP, until, upload } from './page.js';
+import { hosted, keptEdits, part, rowsKept, says, SHOTS, SKIP, until, upload } from './page.js';
 import { blockGround, blockPhotos } from './rendered.js';
 
 hosted('/places-again/');
@@ -29,27 +29,15 @@ const onOrthophoto = (page, pattern) => says(page, 'block-on-orthophoto', patter
 /** The steps that hold, as the browser keeps them.  @param {Page} page @param {number} count */
 const steps = async (page, count) => (await keptEdits(page, 'block/edits', count, count)).edits.flat();
 
-/** Whether the browser keeps a project of a block of so many images with so many steps of edits that hold: the former block stays beside it.  @param {Page} page @param {number} images @param {number} count @returns {Promise<boolean>} */
-const isKept = (page, images, count) =>
-  page.evaluate(
-    ([wanted, held]) =>
-      new Promise((resolve) => {
-        const opening = indexedDB.open('tiepoint');
-        opening.onsuccess = () => {
-          const reading = opening.result.transaction('parts').objectStore('parts').getAll();
-          reading.onsuccess = () => {
-            opening.result.close();
-            const has = (/** @type {string} */ project, /** @type {string} */ name, /** @type {(value: any) => boolean} */ is) =>
-              reading.result.some((one) => one.project === project && one.part === name && is(one.value));
-            const projects = [...new Set(reading.result.map(({ project }) => project))];
-            resolve(
-              projects.some((one) => has(one, 'block/shown', ({ files }) => files.length === wanted) && has(one, 'block/edits', ({ done }) => done === held)),
-            );
-          };
-        };
-      }),
-    [images, count],
+/** Whether the browser keeps a project of a block of so many images with so many steps of edits that hold: the former block stays beside it.  @param {Page} page @param {number} images @param {number} count */
+async function isKept(page, images, count) {
+  const rows = [...(await rowsKept(page, 'block/shown')), ...(await rowsKept(page, 'block/edits'))];
+  const has = (/** @type {string} */ project, /** @type {string} */ name, /** @type {(value: any) => boolean} */ is) =>
+    rows.some((one) => one.project === project && one.part === name && is(one.value));
+  return rows.some(
+    ({ project }) => has(project, 'block/shown', ({ files }) => files.length === images) && has(project, 'block/edits', ({ done }) => done === count),
   );
+}
 
 test('places that were rejected stay so with another setting and without an image, and over a reload', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block({ options: { viewport: { width: 1366, height: 900 } } });

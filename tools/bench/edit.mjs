@@ -1,6 +1,9 @@
 /** One match of the sample pair is rejected by hand: from the key press to the frame that shows the new σ₀, and what of it the worker takes; then the same of a block. */
 
+import { join } from 'node:path';
 import { chromium } from 'playwright-core';
+import { ROOT } from '../lib/paths.mjs';
+import { must } from '../lib/process.mjs';
 import { findChromium } from '../lib/setup.mjs';
 import { servePage } from '../lib/page-server.mjs';
 import { editBlock } from './edit-block.mjs';
@@ -92,7 +95,15 @@ const pressRow = () => {
   rows[rows.length >> 1]?.click();
 };
 
+/** Thousands of random edits in place of the hundreds of the tests. */
+async function randomEdits() {
+  const file = join(ROOT, 'tests', 'edits.test.js');
+  await must(process.execPath, ['--test', '--test-name-pattern=random edits', file], { env: { TIEPOINT_STATISTICS: 'full' }, quiet: true });
+  console.log('  thousands of random edits, undone, leave the pair and the bytes of its project file as they were');
+}
+
 export async function edit() {
+  await randomEdits();
   console.log('An edit of a pair by hand, in Chromium');
   const executablePath = findChromium();
   if (!executablePath) return console.log('  skipped: no Chromium (install it or name it in CHROMIUM)');
