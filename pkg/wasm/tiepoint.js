@@ -2920,7 +2920,9 @@ function __wbg_get_imports() {
         },
         __wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
             const words = getStringFromWasm0(arg0, arg1);
-            throw new Error(words === 'null pointer passed to rust' ? 'the object was freed, or moved into another one: make a new one' : words);
+        if (words !== 'null pointer passed to rust') throw new Error(words);
+        const error = { kind: 'invalid-input', refusal: { kind: 'freed_object' } };
+        throw Object.assign(new Error(message('error', error)), { name: 'TiepointError', code: 'invalid-input', usage: false, error });
         },
         __wbg___wbindgen_typeof_ee4990276e02f607: function(arg0) {
             const ret = typeof arg0;
@@ -3162,7 +3164,7 @@ function __wbg_get_imports() {
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
             // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 16, ret: Result(Externref), inner_ret: Some(Result(Externref)) }, mutable: false }) -> Externref`.
-            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4);
+            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9);
             return ret;
         },
         __wbindgen_generic_0000000000000002: function(arg0) {
@@ -3190,8 +3192,8 @@ function __wbg_get_imports() {
     };
 }
 
-function wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3) {
-    const ret = wasm.wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9(arg0, arg1, arg2, arg3) {
+    const ret = wasm.wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9(arg0, arg1, arg2, arg3);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
