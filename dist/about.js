@@ -449,12 +449,6 @@ var CRATES = {
 			"text": 28
 		},
 		{
-			"name": "serde_path_to_error",
-			"version": "0.1.20",
-			"licence": "MIT OR Apache-2.0",
-			"text": 28
-		},
-		{
 			"name": "sha2",
 			"version": "0.10.9",
 			"licence": "MIT OR Apache-2.0",

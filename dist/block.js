@@ -287,7 +287,6 @@ function comparedText(before, now) {
 function figureText(value) {
 	return value === null ? "–" : fixed(value, 3);
 }
-var FIRST_PANES = 4;
 var NO_PANES = {
 	images: [],
 	views: new Map(),
@@ -339,7 +338,7 @@ function withImages(panes, wanted) {
 }
 function shownImages(panes, view) {
 	if (panes.images.length > 0) return panes.images;
-	return view.images.slice(0, FIRST_PANES).map((_, image) => image);
+	return view.images.slice(0, 4).map((_, image) => image);
 }
 function panesInOtherView(panes, before, after) {
 	if (before === null || panes.images.length === 0) return {
@@ -2318,12 +2317,230 @@ function removable(files, choice, names) {
 	const found = files.filter(({ name }) => chosen.has(name));
 	return found.length === chosen.size && files.length - found.length >= LEAST_IMAGES ? found : [];
 }
+// www/block/state/ground.ts
+function systemOf(view, ground) {
+	if (view.layout.kind === "recorded" || ground?.origin != null) return "geographic";
+	return view.surveyed.some(({ role }) => role === "control") ? "surveyed" : "own";
+}
+var medianGsd = remember((view, ground) => {
+	if (ground === null || systemOf(view, ground) === "own") return null;
+	return numberOf(median([...ground.gsd].filter(Number.isFinite)));
+});
+function gsdOf(view, ground, image) {
+	return ground === null || systemOf(view, ground) === "own" ? null : numberOf(ground.gsd[image] ?? NaN);
+}
+function median(values) {
+	const sorted = Float64Array.from(values).sort();
+	return sorted[Math.floor(sorted.length / 2)] ?? NaN;
+}
+function numberOf(value) {
+	return Number.isFinite(value) ? value : null;
+}
 // www/block/state/scale.ts
 function unitOf({ origin, surveyed }) {
 	return origin !== null || surveyed.some(({ role }) => role === "control") ? "m" : "";
 }
 function inUnitOf(view, coordinates) {
 	return withUnit(coordinates, unitOf(view));
+}
+// www/block/state/under.ts
+var SAME = {
+	a: 1,
+	b: 0,
+	c: 0,
+	d: 1,
+	e: 0,
+	f: 0
+};
+function affineOf({ origin, by_column: column, by_row: row }) {
+	return {
+		a: column[0],
+		b: column[1],
+		c: row[0],
+		d: row[1],
+		e: origin[0],
+		f: origin[1]
+	};
+}
+function mapped({ a, b, c, d, e, f }, x, y) {
+	return [a * x + c * y + e, b * x + d * y + f];
+}
+function after(outer, inner) {
+	const [a, b] = mapped({
+		...outer,
+		e: 0,
+		f: 0
+	}, inner.a, inner.b);
+	const [c, d] = mapped({
+		...outer,
+		e: 0,
+		f: 0
+	}, inner.c, inner.d);
+	const [e, f] = mapped(outer, inner.e, inner.f);
+	return {
+		a,
+		b,
+		c,
+		d,
+		e,
+		f
+	};
+}
+function inverse({ a, b, c, d, e, f }) {
+	const determinant = a * d - b * c;
+	const turned = {
+		a: d / determinant,
+		b: -b / determinant,
+		c: -c / determinant,
+		d: a / determinant,
+		e: 0,
+		f: 0
+	};
+	const [x, y] = mapped(turned, e, f);
+	return {
+		...turned,
+		e: -x,
+		f: -y
+	};
+}
+function scaleOf({ a, b, c, d }) {
+	return Math.sqrt(Math.abs(a * d - b * c));
+}
+function similarity(from, to) {
+	if (from.length < 2 || from.length !== to.length) return null;
+	const [fx, fy] = middle(from);
+	const [tx, ty] = middle(to);
+	let [along, across, size] = [
+		0,
+		0,
+		0
+	];
+	from.forEach(([x, y], i) => {
+		const [u, v] = [x - fx, y - fy];
+		const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
+		along += u * p + v * q;
+		across += u * q - v * p;
+		size += u * u + v * v;
+	});
+	if (!(size > 0)) return null;
+	const [a, b] = [along / size, across / size];
+	if (!(Math.hypot(a, b) > 0)) return null;
+	const turned = {
+		a,
+		b,
+		c: -b,
+		d: a,
+		e: 0,
+		f: 0
+	};
+	const [x, y] = mapped(turned, fx, fy);
+	return {
+		...turned,
+		e: tx - x,
+		f: ty - y
+	};
+}
+function middle(places) {
+	const sum = places.reduce(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
+	return [(sum[0] ?? 0) / places.length, (sum[1] ?? 0) / places.length];
+}
+// www/block/state/result-system.ts
+var APART_M$1 = 500;
+var FOOT_M$2 = .3048;
+var MOST_SCALE$1 = .02;
+var DIGITS_OF_DEGREES = 5;
+var resultSystem = remember((view) => chosenSystem(view) ?? ownSystem(view));
+function ownSystem(view) {
+	const unit = unitOf(view);
+	return {
+		name: "",
+		code: "",
+		unit: [unit, unit],
+		more: 0,
+		coordinates: (positions) => positions,
+		toBlock: null
+	};
+}
+function inSystem$1({ origin, geoidM }, crs, positions) {
+	const all = new Float64Array(positions.length + 3);
+	if (origin !== null) all.set([
+		origin.longitude_deg,
+		origin.latitude_deg,
+		origin.height_m
+	]);
+	all.set(positions, 3);
+	return system_coordinates(crs, geographic_positions(all).map((value, i) => i % 3 === 2 ? value - (geoidM ?? 0) : value));
+}
+function chosenSystem(view) {
+	const { crs, system = null, origin, points } = view;
+	if (system === null || crs === null || origin === null) return null;
+	const coordinates = (positions) => inSystem$1(view, crs, positions);
+	const ground = median(points.positions.filter((value, i) => i % 3 === 2 && !Number.isNaN(value)));
+	const z = Number.isNaN(ground) ? 0 : ground;
+	try {
+		const [x = NaN, y = NaN, up = NaN, ...others] = coordinates(Float64Array.of(0, 0, z, APART_M$1, 0, z, 0, APART_M$1, z, 0, 0, z + APART_M$1));
+		const [xe = NaN, ye = NaN, , xn = NaN, yn = NaN, , , , over = NaN] = others;
+		const [a, b, c, d] = [
+			(xe - x) / APART_M$1,
+			(ye - y) / APART_M$1,
+			(xn - x) / APART_M$1,
+			(yn - y) / APART_M$1
+		];
+		const determinant = a * d - b * c;
+		if (!(Math.abs(determinant) > 0)) return null;
+		const across = unitOfLength(Math.sqrt(Math.abs(determinant)));
+		const turned = {
+			a: d / determinant,
+			b: -b / determinant,
+			c: -c / determinant,
+			d: a / determinant,
+			e: 0,
+			f: 0
+		};
+		const [e, f] = mapped(turned, x, y);
+		return {
+			name: system,
+			code: /^epsg:\d+$/iu.test(crs) ? crs.toUpperCase() : system,
+			unit: [across, unitOfLength((over - up) / APART_M$1)],
+			more: across === "°" ? DIGITS_OF_DEGREES : 0,
+			coordinates,
+			toBlock: {
+				...turned,
+				e: -e,
+				f: -f
+			}
+		};
+	} catch {
+		return null;
+	}
+}
+function unitOfLength(perM) {
+	const is = (wanted) => Math.abs(perM / wanted - 1) < MOST_SCALE$1;
+	if (is(1)) return "m";
+	return is(1 / FOOT_M$2) ? "ft" : perM < .001 ? "°" : "";
+}
+var pointCoordinates = remember((view) => resultSystem(view).coordinates(view.points.positions));
+var imageCoordinates = remember((view) => {
+	const positions = Float64Array.from(view.images.flatMap(({ position }) => position ?? [
+		NaN,
+		NaN,
+		NaN
+	]));
+	return resultSystem(view).coordinates(positions);
+});
+var surveyedCoordinates = remember((view) => resultSystem(view).coordinates(Float64Array.from(view.surveyed.flatMap(({ position }) => [...position]))));
+function coordinatesText(view, position, digits) {
+	const system = resultSystem(view);
+	const at = system.name === "" ? position : system.coordinates(Float64Array.from(position));
+	const { unit, more } = system;
+	const [x, y, z] = [
+		at[0] ?? NaN,
+		at[1] ?? NaN,
+		at[2] ?? NaN
+	];
+	const plan = `${fixed(x, digits + more)} ${fixed(y, digits + more)}`;
+	if (unit[0] === unit[1]) return withUnit(`X Y Z ${plan} ${fixed(z, digits)}`, unit[0]);
+	return `${withUnit(`X Y ${plan}`, unit[0])} ${withUnit(`Z ${fixed(z, digits)}`, unit[1])}`;
 }
 // www/block/state/words.ts
 function connectionOf(view, pair) {
@@ -2355,7 +2572,7 @@ function describe({ view, given }, choice, gsd = "") {
 		case "point": return describePoint(view, choice.point);
 		case "observation": return `${asFigure(view.images[choice.image]?.name ?? "")}, ${describePoint(view, choice.point)}`;
 		case "points": return describePoints(view, choice.points);
-		case "given": return describeGiven(given, choice.name);
+		case "given": return describeGiven(view, given, choice.name);
 	}
 }
 function describeImage(view, index, gsd) {
@@ -2435,7 +2652,7 @@ function describePoint(view, point) {
 		1,
 		2
 	].map((axis) => 3 * point + axis);
-	const place = axes.map((at) => fixed(points.positions[at] ?? NaN, 2)).join(" ");
+	const [x = NaN, y = NaN, z = NaN] = axes.map((at) => points.positions[at]);
 	const errors = axes.map((at) => points.errors[at] ?? NaN);
 	return `${[
 		say("rays-3", {
@@ -2443,17 +2660,22 @@ function describePoint(view, point) {
 			rays: points.rays[point] ?? 0
 		}),
 		known$1(points.rmsePx[point]) ? say("rmse-px-3", { rmse_px: points.rmsePx[point] ?? NaN }) : "",
-		known$1(points.positions[3 * point]) ? inUnitOf(view, `X Y Z ${place}`) : say("not-intersected"),
+		known$1(points.positions[3 * point]) ? coordinatesText(view, [
+			x,
+			y,
+			z
+		], 2) : say("not-intersected"),
 		errors.every(known$1) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(" ")}`) : "",
 		point < points.taking ? "" : say("rejected-by-hand-2")
 	].filter((part) => part !== "").join("; ")}.`;
 }
-function describeGiven(given, name) {
+function describeGiven(view, given, name) {
 	const point = given.find((own) => own.name === name);
 	if (point === void 0) return name;
+	const place = point.place === null ? point.position : resultSystem(view).coordinates(Float64Array.from(point.place));
 	const said = {
 		name,
-		place: (point.place ?? point.position).map((value) => fixed(value, 3)).join(" "),
+		place: Array.from(place, (value) => fixed(value, 3)).join(" "),
 		use: givenUse(point)
 	};
 	return point.place === null ? say("given-point-of-file", said) : say("given-point", said);
@@ -2502,6 +2724,30 @@ function known$1(value) {
 	return value !== void 0 && !Number.isNaN(value);
 }
 // www/block/state/draft.ts
+function choiceOfDraft({ of }, view) {
+	if (of === null) return null;
+	if (isGiven(of)) return {
+		kind: "given",
+		name: of.given
+	};
+	const point = indexOfSource(view, of);
+	return point < 0 ? null : {
+		kind: "point",
+		point
+	};
+}
+function draftInOtherView(draft, before, after) {
+	if (draft === null || draft.of !== null || before === void 0) return null;
+	const indices = new Map(after.images.map(({ name }, image) => [name, image]));
+	const places = [...draft.places].flatMap(([image, place]) => {
+		const index = indices.get(before.images[image]?.name ?? "");
+		return index === void 0 ? [] : [[index, place]];
+	});
+	return places.length === 0 ? null : {
+		of: null,
+		places: new Map(places)
+	};
+}
 function begun(of) {
 	return {
 		of,
@@ -2736,8 +2982,10 @@ function stepsOf({ edits: steps }, edits) {
 	return [...kept, ...edits.slice(kept.flat().length).map((edit) => [edit])];
 }
 function withEdited(state, shown, view, edits) {
-	const { selection } = state;
-	const added = edits.length > shown.edits.length ? newPoint(edits, view) ?? takenIn(selection.chosen, view) : null;
+	const { selection, draft } = state;
+	const next = (edits.length > shown.edits.length ? newPoint(edits, view) ?? takenIn(selection.chosen, view) : null) ?? choiceAfterEdit(selection.chosen, shown.view, view);
+	const measured = draft === null ? null : choiceOfDraft(draft, view);
+	const chosen = measured?.kind === "point" && !pointsOf(next).includes(measured.point) ? measured : next;
 	return {
 		...state,
 		shown: {
@@ -2748,7 +2996,7 @@ function withEdited(state, shown, view, edits) {
 		before: figuresOf$3(shown.view),
 		selection: {
 			...selection,
-			chosen: added ?? choiceAfterEdit(selection.chosen, shown.view, view),
+			chosen,
 			pointed: null
 		}
 	};
@@ -3053,7 +3301,7 @@ var EditFollower = class {
 	}
 };
 // www/block/state/joining.ts
-function placesOf$3({ observations }) {
+function placesOf$4({ observations }) {
 	return observations.filter(({ part }) => part !== "rejected_by_hand").map(({ image, x_px, y_px, by_hand }) => ({
 		image,
 		x_px,
@@ -3065,7 +3313,7 @@ var ONE_PLACE_PX = 5;
 function apart(points) {
 	let farthest = null;
 	const seen = new Map();
-	for (const point of points) for (const { image, x_px, y_px } of placesOf$3(point)) {
+	for (const point of points) for (const { image, x_px, y_px } of placesOf$4(point)) {
 		const others = seen.get(image) ?? [];
 		for (const [x, y] of others) {
 			const px = Math.hypot(x - x_px, y - y_px);
@@ -3083,7 +3331,7 @@ function joined(points) {
 	if (first?.id == null || others.length === 0 || others.some(isSurveyed)) return null;
 	const rejected = (isSurveyed(first) ? others : [first, ...others]).flatMap(({ id }) => id ?? []);
 	const places = new Map();
-	for (const point of [first, ...others]) for (const place of placesOf$3(point)) if (!places.has(place.image)) places.set(place.image, place);
+	for (const point of [first, ...others]) for (const place of placesOf$4(point)) if (!places.has(place.image)) places.set(place.image, place);
 	const reject = {
 		kind: "reject_points",
 		points: rejected
@@ -3105,11 +3353,11 @@ function isSurveyed({ id }) {
 	return id !== null && "ground_control" in id;
 }
 function rank(point) {
-	return isSurveyed(point) ? Infinity : placesOf$3(point).length;
+	return isSurveyed(point) ? Infinity : placesOf$4(point).length;
 }
 function split(point, images) {
 	if (point.id === null || isSurveyed(point)) return null;
-	const places = placesOf$3(point);
+	const places = placesOf$4(point);
 	const [within, beside] = [true, false].map((is) => places.filter(({ image }) => images.includes(image) === is));
 	if (within === void 0 || beside === void 0 || within.length < 2 || beside.length < 2) return null;
 	return [
@@ -3316,8 +3564,14 @@ function mountEditBar(store, facts, measures) {
 	const joining = button(say("join"), "block-join", () => join(store, facts), say("the-chosen-points-are-one"));
 	const parting = button(say("split"), "block-split", () => makeStep(store, splitOf(store.state, facts)), say("the-point-is-two-one"));
 	const match = button(say("match-it"), "block-match", () => measures()?.match(), say("match-the-point-in-the"));
-	const accept = button(say("accept"), "block-accept", () => measures()?.accept(), say("the-point-is-measured-enter"));
-	const leave = button(say("cancel"), "block-leave", () => measures()?.leave(), say("give-what-is-measured-up"));
+	const accept = button(say("accept"), "block-accept", () => store.dispatch({
+		type: "accept",
+		leaves: false
+	}), say("the-point-is-measured-enter"));
+	const leave = button(say("cancel"), "block-leave", () => store.dispatch({
+		type: "draft",
+		draft: null
+	}), say("give-what-is-measured-up"));
 	const [use, useSelect] = choice(say("use-as"), "block-use", USES, (value) => {
 		const surveyed = surveyedChoice(store.state, facts);
 		const role = value === "control" || value === "check" ? value : null;
@@ -3459,107 +3713,6 @@ function textOf(state) {
 	if (before === null || shown === null || shown.edits.length === 0) return "";
 	return comparedText(before, figuresOf$3(shown.view));
 }
-// www/block/state/under.ts
-var SAME = {
-	a: 1,
-	b: 0,
-	c: 0,
-	d: 1,
-	e: 0,
-	f: 0
-};
-function affineOf({ origin, by_column: column, by_row: row }) {
-	return {
-		a: column[0],
-		b: column[1],
-		c: row[0],
-		d: row[1],
-		e: origin[0],
-		f: origin[1]
-	};
-}
-function mapped({ a, b, c, d, e, f }, x, y) {
-	return [a * x + c * y + e, b * x + d * y + f];
-}
-function after(outer, inner) {
-	const [a, b] = mapped({
-		...outer,
-		e: 0,
-		f: 0
-	}, inner.a, inner.b);
-	const [c, d] = mapped({
-		...outer,
-		e: 0,
-		f: 0
-	}, inner.c, inner.d);
-	const [e, f] = mapped(outer, inner.e, inner.f);
-	return {
-		a,
-		b,
-		c,
-		d,
-		e,
-		f
-	};
-}
-function inverse({ a, b, c, d, e, f }) {
-	const determinant = a * d - b * c;
-	const turned = {
-		a: d / determinant,
-		b: -b / determinant,
-		c: -c / determinant,
-		d: a / determinant,
-		e: 0,
-		f: 0
-	};
-	const [x, y] = mapped(turned, e, f);
-	return {
-		...turned,
-		e: -x,
-		f: -y
-	};
-}
-function scaleOf({ a, b, c, d }) {
-	return Math.sqrt(Math.abs(a * d - b * c));
-}
-function similarity(from, to) {
-	if (from.length < 2 || from.length !== to.length) return null;
-	const [fx, fy] = middle(from);
-	const [tx, ty] = middle(to);
-	let [along, across, size] = [
-		0,
-		0,
-		0
-	];
-	from.forEach(([x, y], i) => {
-		const [u, v] = [x - fx, y - fy];
-		const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
-		along += u * p + v * q;
-		across += u * q - v * p;
-		size += u * u + v * v;
-	});
-	if (!(size > 0)) return null;
-	const [a, b] = [along / size, across / size];
-	if (!(Math.hypot(a, b) > 0)) return null;
-	const turned = {
-		a,
-		b,
-		c: -b,
-		d: a,
-		e: 0,
-		f: 0
-	};
-	const [x, y] = mapped(turned, fx, fy);
-	return {
-		...turned,
-		e: tx - x,
-		f: ty - y
-	};
-}
-function middle(places) {
-	const sum = places.reduce(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
-	return [(sum[0] ?? 0) / places.length, (sum[1] ?? 0) / places.length];
-}
 // www/block/state/between.ts
 var MOST_PIXELS = 3;
 var MOST_SHARE = .001;
@@ -3572,7 +3725,7 @@ function crsOf({ epsg, described }, chosen) {
 var betweenSystems = remember((orthophoto, view) => {
 	const { origin } = view;
 	const crs = crsOf(orthophoto.info, view.crs);
-	const places = placesOf$2(view);
+	const places = placesOf$3(view);
 	if (origin === null || crs === null || places === null) return null;
 	const { from, height } = places;
 	try {
@@ -3635,7 +3788,7 @@ function span(places, axis) {
 	const own = places.map((place) => place[axis]);
 	return Math.max(...own) - Math.min(...own);
 }
-function placesOf$2({ images, points }) {
+function placesOf$3({ images, points }) {
 	const centres = images.flatMap(({ position }) => position === null ? [] : [position]);
 	const step = Math.ceil(points.taking / ENOUGH);
 	const coordinates = [
@@ -3979,13 +4132,13 @@ function ofFile(view, { options, marks }) {
 	return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? view.geoidM ?? 0), view, options.marks, marks);
 }
 // www/block/state/orthophoto-unit.ts
-var FOOT_M = .3048;
+var FOOT_M$1 = .3048;
 var MOST_SCALE = .002;
 var APART$1 = 1e3;
 var unitOfInfo = remember((info) => {
 	const { epsg, described } = info;
 	if (epsg === null) return /(?:^|[^a-z])(?:ft|ftUS|feet|foot)(?:[^a-z]|$)/iu.test(described ?? "") ? "ft" : "m";
-	return Math.abs(unitM(`EPSG:${String(epsg)}`, info) / FOOT_M - 1) < MOST_SCALE ? "ft" : "m";
+	return Math.abs(unitM(`EPSG:${String(epsg)}`, info) / FOOT_M$1 - 1) < MOST_SCALE ? "ft" : "m";
 });
 function unitOfOrthophoto(orthophoto) {
 	return orthophoto === null ? "m" : unitOfInfo(orthophoto.info);
@@ -3998,6 +4151,41 @@ function unitM(crs, { width, height, georeference }) {
 	} catch {
 		return NaN;
 	}
+}
+// www/block/state/level.ts
+var FOOT_M = .3048;
+var APART_M = 100;
+function isLevelOpen(heights) {
+	return heights.kind === "level" && (heights.by === "block" || heights.by === void 0 && heights.height === 0);
+}
+function levelByBlock({ orthophoto, heights }, shown) {
+	if (orthophoto === null || shown === null || !isLevelOpen(heights)) return null;
+	const height = heightOf(orthophoto, shown);
+	return height === null || Number.isNaN(height) ? null : {
+		kind: "level",
+		height: Math.round(10 * height) / 10,
+		by: "block"
+	};
+}
+function heightOf(orthophoto, { key, view }) {
+	if (view.partial || view.layout.kind !== "oriented") return null;
+	const [x, y, z] = [
+		0,
+		1,
+		2
+	].map((axis) => medianOf(view, axis));
+	if (x === void 0 || y === void 0 || z === void 0) return null;
+	const between = betweenSystems(orthophoto, view);
+	if (between?.kind === "similar") {
+		const [, , low = NaN, , , high = NaN] = inSystem$1(view, between.crs, Float64Array.of(x, y, z, x, y, z + APART_M));
+		const metres = low / ((high - low) / APART_M);
+		return unitOfOrthophoto(orthophoto) === "ft" ? metres / FOOT_M : metres;
+	}
+	const isOwn = orthophoto.ofBlock === key || isInSystemOf(view) && view.orthophoto?.inCrs !== true;
+	return between === null && isOwn ? z : null;
+}
+function medianOf({ points: { positions, taking } }, axis) {
+	return median(positions.subarray(0, 3 * taking).filter((value, i) => i % 3 === axis && !Number.isNaN(value)));
 }
 // www/block/files/ids.ts
 var nextId$1 = 1;
@@ -4029,6 +4217,10 @@ var GroundFiles = class {
 			const taken = await this.takeHeights(model, here);
 			if (taken === null) return null;
 			said.push(taken);
+		} else if (orthophoto !== void 0) {
+			const taken = await this.takeLevelOfBlock(here);
+			if (taken === null) return null;
+			said.push(taken);
 		}
 		if (others.length > 0) said.push(say("skipped-an-orthophoto-has-one", { others: named(others) }));
 		for (const world of worlds) {
@@ -4036,7 +4228,7 @@ var GroundFiles = class {
 			if (taken === null) return null;
 			said.push(taken);
 		}
-		return said.join(" ");
+		return said.filter((text) => text !== "").join(" ");
 	}
 	async takeOrthophoto(found, here) {
 		const { file } = found;
@@ -4069,8 +4261,17 @@ var GroundFiles = class {
 	takeLevel(height, here) {
 		return this.setHeights(here, withUnit(fixed(height, 2), unitOfOrthophoto(this.store.state.placing.orthophoto)), () => Promise.resolve({
 			kind: "level",
-			height
+			height,
+			by: "hand"
 		}));
+	}
+	async takeLevelOfBlock(here) {
+		const { placing, shown } = this.store.state;
+		const heights = levelByBlock(placing, shown);
+		if (heights?.kind !== "level") return "";
+		if (placing.heights.kind === "level" && placing.heights.height === heights.height && placing.heights.by === "block") return "";
+		const name = withUnit(fixed(heights.height, 1), unitOfOrthophoto(placing.orthophoto));
+		return await this.setHeights(here, name, () => Promise.resolve(heights)) === null ? null : say("level-of-block", { height: name });
 	}
 	async setHeights(here, name, made) {
 		if (this.store.state.placing.orthophoto === null) {
@@ -4648,7 +4849,7 @@ var BlockActions = class {
 	async runOf(here) {
 		this.store.dispatch({
 			type: "accept",
-			leaves: true
+			leaves: false
 		});
 		const { shown, history } = this.store.state;
 		const names = shown === null ? null : namesOf$1(shown.found);
@@ -4685,12 +4886,8 @@ var BlockActions = class {
 	}
 	clear() {
 		return doHere(this.stays, async (here) => {
-			this.store.dispatch({
-				type: "accept",
-				leaves: true
-			});
-			const { shown, history, marks } = this.store.state;
-			const isEdited = history.edits.length + marks.edits.length > 0;
+			const { shown, history, marks, draft } = this.store.state;
+			const isEdited = history.edits.length + marks.edits.length + (draft?.places.size ?? 0) > 0;
 			const stays = await this.aside.leave(say("remove-all-images"), here);
 			if (stays === null) return;
 			this.store.dispatch({ type: "clear" });
@@ -4707,15 +4904,18 @@ var BlockAside = class {
 		this.store = store;
 		this.putAside = putAside;
 	}
-	async leave(step, here) {
-		const { shown, truth, history, marks, placing } = this.store.state;
-		const length = history.edits.length + marks.edits.length;
+	async leave(step, here, isSetUp = false) {
+		const { state } = this.store;
+		const { shown, truth, history, marks, draft, placing } = state;
+		const length = history.edits.length + marks.edits.length + (draft !== null && draft.places.size > 0 ? 1 : 0);
 		const isFound = shown !== null && !shown.view.partial && shown.view.oriented > 0 && truth === null;
-		if (length === 0 && placing.placed.size === 0 && !isFound) return false;
+		const isMade = length > 0 || placing.placed.size > 0 || isFound;
+		if (!isMade && !isSetUp) return false;
 		const stays = await this.putAside();
 		here();
 		if (stays) return true;
-		const what = placing.placed.size > 0 ? say("what-was-placed-on-the") : say("the-block-of-these-photos");
+		if (!isMade && truth !== null && areDefault(state)) return false;
+		const what = placing.placed.size > 0 ? say("what-was-placed-on-the") : isMade ? say("the-block-of-these-photos") : say("what-was-set-up");
 		const edits = length === 0 ? what : length === 1 ? say("the-edit-by-hand-of") : say("the-edits-by-hand-of", { length });
 		return window.confirm(say("cannot-be-kept-in-this", {
 			edits,
@@ -5442,16 +5642,14 @@ var BlockFiles = class {
 				const { view, edits, made, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
 				here();
 				const options = optionsOf(made, file.name);
-				const edited = await this.aside.leave(say("open-the-other-project"), here);
-				if (edited === null) {
+				const stays = await this.aside.leave(say("open-the-other-project"), here, isReplaced(this.store.state, view));
+				if (stays === null) {
 					this.store.dispatch({
 						type: "notice",
 						notice: null
 					});
 					return;
 				}
-				const stays = edited || isReplaced(this.store.state, view) && await this.aside.putAside();
-				here();
 				hold();
 				this.store.dispatch({
 					type: "openedFile",
@@ -5719,6 +5917,47 @@ function presentKey(key, positionIn) {
 		cameras
 	]), own[0] ?? null, position);
 }
+// www/block/files/keep-draft.ts
+var DRAFT = "block/draft";
+var OF_PLACE = 60;
+function draftParts(draft, images) {
+	return new Map(draft === null ? [] : [[DRAFT, keptDraft(draft, images)]]);
+}
+var keptDraft = remember(({ of, places }, images) => ({
+	value: {
+		of,
+		places: [...places],
+		images
+	},
+	bytes: OF_PLACE * (1 + places.size)
+}));
+function draftFrom(parts, images) {
+	if (!parts.has(DRAFT)) return null;
+	const { of, places, images: shown } = objectOf(parts.get(DRAFT), "draft");
+	const placed = listOf$1(places, "draft.places", (entry, name) => {
+		const [image, place] = listOf$1(entry, name, (one) => one);
+		const { at, by } = objectOf(place, name);
+		const [x_px, y_px] = listOf$1(at, `${name}.at`, (one) => one);
+		return placeFrom({
+			image,
+			x_px,
+			y_px,
+			by
+		}, name);
+	});
+	const isThere = (image) => image < images;
+	return {
+		of: orNull(of, ofFrom),
+		places: new Map(placed.flatMap(({ image, x_px, y_px, by }) => isThere(image) ? [[image, {
+			at: [x_px, y_px],
+			by
+		}]] : [])),
+		images: listOf$1(shown, "draft.images", (image, name) => likeOf(image, 0, name)).filter(isThere)
+	};
+}
+function ofFrom(of) {
+	return "given" in of ? { given: likeOf(of.given, "", "draft.of.given") } : sourceFrom(of, "draft.of");
+}
 // www/block/files/keep-former.ts
 var FORMER = "block/former";
 var SPOT = 60;
@@ -5853,13 +6092,14 @@ function placingFrom(given, placed, catalogue, readFile, open) {
 			ofBlock: orNull(ofBlock, (key) => likeOf(key, "", "placing.orthophoto.ofBlock"))
 		};
 	});
-	const { kind, height, model } = objectOf(kept.heights, "placing.heights");
+	const { kind, height, by, model } = objectOf(kept.heights, "placing.heights");
 	const heights = kind === "model" ? {
 		kind,
 		model: raster(model, "placing.heights.model")
 	} : {
 		kind: "level",
-		height: likeOf(height, 0, "placing.heights.height")
+		height: likeOf(height, 0, "placing.heights.height"),
+		...by === "hand" || by === "block" ? { by } : {}
 	};
 	const options = orNull(kept.options, (value) => fitted(value, catalogue.placing, "placing.options")) ?? catalogue.placing;
 	const purpose = PURPOSES$1.find((one) => one === kept.purpose) ?? null;
@@ -5942,6 +6182,8 @@ var KeptBlocks = class {
 			"history",
 			"former",
 			"marks",
+			"draft",
+			"panes",
 			"placing"
 		], () => {
 			changed();
@@ -5996,6 +6238,7 @@ var KeptBlocks = class {
 		for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
 		for (const [name, part] of this.marks.parts(state.marks)) parts.set(name, part);
 		for (const [name, part] of formerParts(state.former, state.history)) parts.set(name, part);
+		for (const [name, part] of draftParts(state.draft, state.panes.images)) parts.set(name, part);
 		if (made !== null && made.found === shown?.found) parts.set(SHOWN, {
 			value: made.kept,
 			bytes: SMALL + made.kept.project.size + (made.kept.ground?.before.size ?? 0)
@@ -6024,6 +6267,7 @@ var KeptBlocks = class {
 		const records = new Map([...parts].flatMap(([part, record]) => part.startsWith(RECORD) && record instanceof Blob ? [[part.slice(13), record]] : []));
 		const shown = finished?.shown ?? null;
 		const count = shown?.view.images.length ?? 0;
+		const draft = shown === null ? null : draftFrom(parts, count);
 		const opened = kept.opened?.every((image) => image < count) === true ? kept.opened : null;
 		return () => {
 			passIds([
@@ -6060,6 +6304,7 @@ var KeptBlocks = class {
 					history,
 					former,
 					marks,
+					draft,
 					placing
 				}
 			});
@@ -6267,11 +6512,13 @@ var BlockRuns = class {
 	engine;
 	images;
 	block;
-	constructor(store, engine, images, block) {
+	ground;
+	constructor(store, engine, images, block, ground) {
 		this.store = store;
 		this.engine = engine;
 		this.images = images;
 		this.block = block;
+		this.ground = ground;
 	}
 	run(here) {
 		return unlessLeft(this.runBlock(here));
@@ -6313,6 +6560,7 @@ var BlockRuns = class {
 			notice: null
 		});
 		try {
+			if (await this.ground.takeLevelOfBlock(here) === null) return;
 			const done = await this.images.place();
 			here();
 			if (done === null) this.tell("info", say("cancelled-what-was-placed-stays"));
@@ -6488,7 +6736,7 @@ function mountAddress(store, modes, pair) {
 		}
 	};
 	const follow = ({ address, part }) => {
-		const { shown, history } = store.state;
+		const { shown, history, draft } = store.state;
 		if (address === "") {
 			waiting = null;
 			modes.dispatch(part ?? "pair");
@@ -6511,7 +6759,7 @@ function mountAddress(store, modes, pair) {
 		const images = askedPair(address, shown.view);
 		waiting = null;
 		if (images !== null) show(images);
-		if (wanted !== null) store.dispatch({
+		if (wanted !== null && (draft === null || part !== null)) store.dispatch({
 			type: "choose",
 			choice: wanted.choice
 		});
@@ -6595,10 +6843,24 @@ var NO_ROWS = {
 	count: 0,
 	columns: []
 };
+var unitOn = ({ unit }, axis) => unit[axis < 2 ? 0 : 1];
+var moreOn = ({ more }, axis) => axis < 2 ? more : 0;
+function headOf({ code }, axis) {
+	return code === "" ? axis : sayNamed("in-system", {
+		axis,
+		code
+	});
+}
+function helpOf({ name }, axis, own) {
+	return name === "" ? own : say("coordinate-in-system", {
+		axis,
+		name
+	});
+}
 function imageRows(view) {
 	const { images, leftOut, cameras } = view;
-	const unit = unitOf(view);
-	const axis = (key, i) => numbers(key, key, unit, 2, (row) => images[row]?.position?.[i], say("projection-centre-in-m-where", { key }));
+	const system = resultSystem(view);
+	const axis = (key, i) => numbers(key, headOf(system, key), unitOn(system, i), 2 + moreOn(system, i), (row) => imageCoordinates(view)[3 * row + i], helpOf(system, key, say("projection-centre-in-m-where", { key })));
 	return {
 		count: images.length + leftOut.length,
 		columns: [
@@ -6641,8 +6903,9 @@ function pairRows({ images, connections }) {
 }
 function pointRows(view) {
 	const { points } = view;
+	const system = resultSystem(view);
 	const unit = unitOf(view);
-	const axis = (label, offset) => [numbers(label.toLowerCase(), label, unit, 2, (i) => points.positions[3 * i + offset] ?? NaN, say("object-coordinate-in-m-where")), numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
+	const axis = (label, offset) => [numbers(label.toLowerCase(), headOf(system, label), unitOn(system, offset), 2 + moreOn(system, offset), (i) => pointCoordinates(view)[3 * i + offset] ?? NaN, helpOf(system, label, say("object-coordinate-in-m-where"))), numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
 	return {
 		count: points.count,
 		columns: [
@@ -6658,14 +6921,21 @@ function pointRows(view) {
 	};
 }
 var NO_COORDINATES = new Map();
-function surveyedRows({ surveyed }, given, asGiven = NO_COORDINATES) {
+var SAME_COORDINATE = .001;
+function surveyedRows(view, given, asGiven = NO_COORDINATES) {
+	const { surveyed } = view;
 	const axes = [
 		"X",
 		"Y",
 		"Z"
 	];
-	const isOther = (position, name) => asGiven.get(name)?.some((value, k) => value !== position[k]) === true;
-	const areOthers = given.some(({ place, position }) => place === null || place.some((value, k) => value !== position[k])) || surveyed.some(({ position, name }) => isOther(position, name));
+	const system = resultSystem(view);
+	const within = system.name === "" ? 0 : SAME_COORDINATE;
+	const differs = (value, other) => !(Math.abs(value - (other ?? NaN)) <= within);
+	const own = surveyedCoordinates(view);
+	const places = given.map(({ place }) => place === null ? null : system.coordinates(Float64Array.from(place)));
+	const isOther = (row, name) => asGiven.get(name)?.some((value, k) => differs(value, own[3 * row + k])) === true;
+	const areOthers = given.some(({ position }, i) => places[i] == null || position.some((value, k) => differs(value, places[i]?.[k]))) || surveyed.some(({ name }, row) => isOther(row, name));
 	const beside = (row) => given[row - surveyed.length];
 	const useText = (row) => {
 		const own = beside(row);
@@ -6679,7 +6949,7 @@ function surveyedRows({ surveyed }, given, asGiven = NO_COORDINATES) {
 			words("use", say("use"), useText, say("control-points-place-the-block")),
 			numbers("surveyed-rays", say("rays-2"), "", 0, (i) => surveyed[i]?.rays ?? NaN, say("image-measurements-that-took-part"), { total: "sum" }),
 			...areOthers ? axes.map((axis, k) => numbers(`given-${axis}`, sayNamed("as-given", { axis }), "", 3, (i) => beside(i)?.position[k] ?? asGiven.get(surveyed[i]?.name ?? "")?.[k] ?? NaN, say("in-the-unit-and-the", { axis }))) : [],
-			...axes.map((axis, k) => numbers(`surveyed-${axis}`, axis, "m", 3, (i) => surveyed[i]?.position[k] ?? beside(i)?.place?.[k] ?? NaN, say("surveyed-in-the-system-of", { axis }))),
+			...axes.map((axis, k) => numbers(`surveyed-${axis}`, headOf(system, axis), system.name === "" ? "m" : unitOn(system, k), 3 + moreOn(system, k), (i) => (i < surveyed.length ? own[3 * i + k] : places[i - surveyed.length]?.[k]) ?? NaN, helpOf(system, axis, say("surveyed-in-the-system-of", { axis })))),
 			...axes.map((axis, k) => numbers(`difference-${axis}`, `Δ${axis}`, "m", 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say("adjusted-minus-surveyed", { axis }), { total: "rms" })),
 			...axes.map((axis, k) => numbers(`difference-sigma-${axis}`, `σ Δ${axis}`, "m", 3, (i) => surveyed[i]?.standard_errors_m[k], say("standard-error-of", { axis }), { total: "rms" })),
 			...axes.map((axis, k) => numbers(`left-out-${axis}`, sayNamed("difference-left-out", { axis }), "m", 3, (i) => surveyed[i]?.left_out?.difference[k], say("where-the-other-observations-have", { axis }), { total: "rms" })),
@@ -7226,6 +7496,27 @@ function duration(seconds) {
 	const minutes = Math.round(seconds / 60);
 	return minutes < 90 ? say("min", { minutes }) : say("hours", { value: (seconds / 3600).toFixed(1) });
 }
+// www/block/state/resumed.ts
+function resumed(kept, view) {
+	if (kept === null || view === null) return { draft: null };
+	const { images, ...draft } = kept;
+	const shown = reducePanes(NO_PANES, {
+		type: "showImages",
+		images
+	});
+	return {
+		draft,
+		panes: draft.of === null ? shown : reducePanes(shown, {
+			type: "look",
+			look: { unmeasured: true }
+		}),
+		selection: {
+			...NOTHING_SELECTED,
+			chosen: choiceOfDraft(draft, view)
+		},
+		onStage: "images"
+	};
+}
 // www/block/state/together.ts
 function together(before, after) {
 	if (after.shown === null || after.placing.placed.size === 0) return after;
@@ -7459,14 +7750,16 @@ function reduced(state, action) {
 			};
 		}
 		case "restored": {
-			const { former, history, shown } = action.restored;
+			const { draft, ...restored } = action.restored;
+			const { former, history, shown } = restored;
 			const awaiting = awaitingAgain(former, history, shown);
 			return {
 				...BLOCK_INITIAL,
 				catalogue: state.catalogue,
-				...action.restored,
+				...restored,
 				awaiting,
-				onStage: viewOf(action.restored)
+				onStage: viewOf(restored),
+				...resumed(draft, shown?.view ?? null)
 			};
 		}
 		case "cleared": return state.catalogue === null ? state : reduceBlock(BLOCK_INITIAL, {
@@ -7587,11 +7880,13 @@ function withRun(state, action) {
 		case "done": {
 			const { key, view, files, seconds } = action;
 			const { edits, said } = carried(state, view);
+			const draft = draftInOtherView(state.draft, state.shown?.view, view);
 			return {
 				...state,
 				...blank(state),
 				...inOther(state, view),
 				...edits,
+				draft,
 				...said === "" ? {} : { notice: {
 					kind: "info",
 					text: said,
@@ -7623,12 +7918,12 @@ function withRun(state, action) {
 	}
 }
 // www/block/state/observed.ts
-var placesOf$1 = new WeakMap();
+var placesOf$2 = new WeakMap();
 function placesByPoint(of) {
-	const known = placesOf$1.get(of);
+	const known = placesOf$2.get(of);
 	if (known !== void 0) return known;
 	const made = new Map([...of.points].map((point, i) => [point, [of.places[2 * i] ?? NaN, of.places[2 * i + 1] ?? NaN]]));
-	placesOf$1.set(of, made);
+	placesOf$2.set(of, made);
 	return made;
 }
 function placeOfPoint(of, point) {
@@ -7702,6 +7997,26 @@ function photoMm({ calibrated, given }, [x, y]) {
 	const side = camera?.pixel_mm ?? given?.pixel_mm;
 	if (camera === null || side == null) return null;
 	return [side * (x - camera.principal_point_px[0]), side * (camera.principal_point_px[1] - y)];
+}
+// www/block/state/likely.ts
+function likeliest({ images, connections }, near) {
+	const all = images.map((_, image) => image);
+	if (near === void 0) return all;
+	const matches = new Map([[near, Infinity]]);
+	for (const connection of connections) {
+		const [a, b] = connection.images;
+		if (a === near || b === near) matches.set(a === near ? b : a, matchesOf(connection));
+	}
+	return all.sort((a, b) => (matches.get(b) ?? 0) - (matches.get(a) ?? 0) || a - b);
+}
+function turned(shown, order, kept, by) {
+	const stay = shown.filter((image) => kept.has(image));
+	const others = order.filter((image) => !stay.includes(image));
+	const free = Math.min(Math.max(1, shown.length - stay.length), 9 - stay.length, others.length);
+	const places = shown.map((image) => others.indexOf(image)).filter((place) => place >= 0);
+	const first = by > 0 ? Math.max(-1, ...places) + 1 : Math.min(others.length, ...places) - free;
+	const next = Array.from({ length: free }, (_, i) => others[((first + i) % others.length + others.length) % others.length] ?? 0);
+	return [...stay, ...next];
 }
 // www/shared/engine/colour.ts
 var MOST_BYTES = 2 ** 25;
@@ -8111,7 +8426,7 @@ function draftLenses(measuring, panes) {
 	return panes.flatMap((pane) => {
 		const at = measuring.placeIn(pane);
 		if (at === null || !isOn(pane, at)) return [];
-		const rect = cornerOf(pane.rect);
+		const rect = cornerOf(pane.rect, toCanvas(pane.transform, ...at));
 		return [{
 			pane,
 			rect,
@@ -8132,10 +8447,10 @@ function besidePointer([x, y], { left, top, width, height }) {
 		top: top + Math.min(rect.top, height - rect.height)
 	};
 }
-function cornerOf({ left, top, width, height }) {
+function cornerOf({ left, top, width, height }, [x] = [left, top]) {
 	const side = Math.max(40, Math.min(176, width * .45, height * .45));
 	return {
-		left: left + width - EDGE$2 - side,
+		left: x > left + width / 2 ? left + EDGE$2 : left + width - EDGE$2 - side,
 		top: top + height - EDGE$2 - side,
 		width: side,
 		height: side
@@ -8232,11 +8547,14 @@ var Measuring = class {
 		const { shown, history } = this.store.state;
 		return addedPoints(editsInForce(history), shown?.view.givenControl ?? 0);
 	}
+	ownPlaces() {
+		const { draft } = this;
+		return draft?.of == null ? NOWHERE : placesOf$1(draft);
+	}
 	known() {
 		const { draft } = this;
 		if (draft === null) return NOWHERE;
-		const own = [...draft.places].map(([image, { at }]) => [image, at]);
-		return new Map([...isGiven(draft.of) ? this.marks() : [], ...own]);
+		return new Map([...isGiven(draft.of) ? this.marks() : [], ...placesOf$1(draft)]);
 	}
 	sources(image) {
 		return [...this.known()].filter(([other]) => other !== image).slice(-2).map(([other, at]) => ({
@@ -8343,6 +8661,9 @@ var Measuring = class {
 		});
 	}
 };
+function placesOf$1(draft) {
+	return new Map([...draft.places].map(([image, { at }]) => [image, at]));
+}
 function turnOf(from, to, [x, y]) {
 	const { points: own } = from;
 	const { points: other } = to;
@@ -8649,11 +8970,11 @@ var Opening = class {
 			this.pending = new Set(images);
 		}
 		if (this.pending.size === 0) return;
-		const marks = this.measuring.marks();
+		const known = this.knownPlaces();
 		const panes = this.seen.panes().filter(({ image }) => this.pending.has(image));
 		const full = Math.max(LEAST_SCALE, ...panes.map((pane) => fillScale(pane.rect, pane)));
 		const views = panes.flatMap((pane) => {
-			const at = marks.get(pane.image) ?? this.measuring.ofGround(pane);
+			const at = known.get(pane.image) ?? this.measuring.ofGround(pane);
 			return at === null ? [] : [[pane.image, viewAt(at, full)]];
 		});
 		const moved = new Set(views.map(([image]) => image));
@@ -8666,14 +8987,18 @@ var Opening = class {
 	}
 	imagesOfGiven(name, { view, given }) {
 		const { panes } = this.seen.store.state;
-		const measured = [...this.measuring.marks().keys()];
+		const measured = [...this.knownPlaces().keys()];
 		const place = given.find((own) => own.name === name)?.place ?? null;
 		const within = place === null ? null : this.seen.facts.ground();
 		if (place !== null && within === null) return null;
-		const all = view.images.map((_, image) => image);
 		const likely = place === null || within === null ? [] : footprintsAt(within.footprints, [place[0], place[1]]);
-		const others = likely.length > 0 ? likely : [...shownImages(panes, view), ...all];
-		return [...new Set([...measured, ...others])].slice(0, 9);
+		if (likely.length > 0) return [...new Set([...measured, ...likely])].slice(0, 9);
+		const [near] = measured;
+		const others = near === void 0 ? [...shownImages(panes, view), ...likeliest(view, near)] : likeliest(view, near);
+		return [...new Set([...measured, ...others])].slice(0, Math.min(9, Math.max(4, measured.length)));
+	}
+	knownPlaces() {
+		return new Map([...this.measuring.marks(), ...this.measuring.ownPlaces()]);
 	}
 	showChosenImages(chosen, view) {
 		this.shownFor = chosen;
@@ -8691,6 +9016,7 @@ var Opening = class {
 		const places = new Map(detail.observations.map(({ image, x_px, y_px }) => [image, [x_px, y_px]]));
 		const isSurveyed = detail.id !== null && "ground_control" in detail.id;
 		if (panes.look.unmeasured || isSurveyed) for (const { image, x_px, y_px } of detail.elsewhere) places.set(image, [x_px, y_px]);
+		for (const [image, at] of this.measuring.ownPlaces()) places.set(image, at);
 		if (places.size === 0) return;
 		const before = shownImages(panes, view);
 		const scale = this.seen.active()?.transform.scale ?? 0;
@@ -9000,13 +9326,11 @@ var ImagesView = class {
 	turn(by) {
 		const view = this.seen.view();
 		if (view === null) return;
-		const shown = shownImages(this.store.state.panes, view);
-		const all = view.images.length;
-		const first = by > 0 ? Math.max(...shown) + 1 : Math.min(...shown) - shown.length;
-		const next = Array.from({ length: Math.min(shown.length, all) }, (_, i) => ((first + i) % all + all) % all);
+		const known = this.measuring.known();
+		const order = likeliest(view, [...known.keys()][0]);
 		this.store.dispatch({
 			type: "showImages",
-			images: next
+			images: turned(shownImages(this.store.state.panes, view), order, new Set(known.keys()), by)
 		});
 	}
 	step(by) {
@@ -9156,9 +9480,7 @@ function imagesView(engine, facts, addImages, ready) {
 					view.opening.showDraft();
 					host.focus();
 				},
-				match: () => view.match(),
-				accept: () => view.measuring.accept(),
-				leave: () => view.measuring.leave()
+				match: () => view.match()
 			});
 			view.watch(() => {
 				setText$1(place, placeText$1(store, view));
@@ -9285,7 +9607,7 @@ function pointText({ state }, view) {
 	})).sort((a, b) => b.w - a.w);
 	return [
 		name ?? `${id !== null && "manual" in id ? say("point-by-hand") : say("tie-point")} ${count(chosen.point + 1)}`,
-		position === null ? say("not-intersected") : inUnitOf(shown, `X Y Z ${position.map((value) => fixed(value, 3)).join(" ")}`),
+		position === null ? say("not-intersected") : coordinatesText(shown, position, 3),
 		errors === null ? "" : inUnitOf(shown, `± ${errors.map((value) => fixed(value, 3)).join(" ")}`),
 		say("rays", {
 			observations: taking,
@@ -9320,7 +9642,7 @@ function textOfPlace({ image, at }, shown, view) {
 			mm: mm[0],
 			mm_2: mm[1]
 		}),
-		ground === null ? "" : say("ground-about", { join: inUnitOf(shown, ground.map((value) => fixed(value, 2)).join(" ")) })
+		ground === null ? "" : say("ground-about", { join: coordinatesText(shown, ground, 2) })
 	].filter((part) => part !== "").join(" · ");
 }
 function toolsOf$2(host, store, view, looking) {
@@ -9352,6 +9674,7 @@ function toolsOf$2(host, store, view, looking) {
 		class: "more image-more",
 		id: "images-more"
 	}, labelled("1:1", "images-actual", say("one-image-pixel-to-one"), () => view.moving.actualSize()), slider(say("brightness"), "images-brightness", (brightness) => set({ brightness })), slider(say("contrast"), "images-contrast", (contrast) => set({ contrast })), adding);
+	const other = button(say("other-images"), "images-other", () => view.turn(1), say("other-images-title"));
 	const unfold = h("button", {
 		type: "button",
 		class: "menu-button",
@@ -9370,6 +9693,7 @@ function toolsOf$2(host, store, view, looking) {
 		host.style.setProperty("--brightness", String(look.brightness));
 		host.style.setProperty("--contrast", String(look.contrast));
 		pair.hidden = pairOf(store) === null;
+		other.hidden = shown === null || shownImages(panes, shown.view).length >= shown.view.images.length;
 		const names = shown?.view.images.map(({ name }) => name) ?? [];
 		if (addSelect.dataset.names === names.join("\n")) return;
 		addSelect.dataset.names = names.join("\n");
@@ -9382,7 +9706,7 @@ function toolsOf$2(host, store, view, looking) {
 	], () => {
 		pair.disabled = isBusy(store.state);
 	});
-	return h("div", { class: "image-tools" }, points, vectors, linked, loupe, unmeasured, pair, unfold, more);
+	return h("div", { class: "image-tools" }, points, vectors, linked, loupe, unmeasured, pair, other, unfold, more);
 }
 function pairOf({ state: { panes, shown } }) {
 	const [a, b, ...more] = shown === null ? [] : shownImages(panes, shown.view);
@@ -9766,25 +10090,6 @@ var MATRIX_VIEW = {
 		};
 	}
 };
-// www/block/state/ground.ts
-function systemOf(view, ground) {
-	if (view.layout.kind === "recorded" || ground?.origin != null) return "geographic";
-	return view.surveyed.some(({ role }) => role === "control") ? "surveyed" : "own";
-}
-var medianGsd = remember((view, ground) => {
-	if (ground === null || systemOf(view, ground) === "own") return null;
-	return numberOf(median([...ground.gsd].filter(Number.isFinite)));
-});
-function gsdOf(view, ground, image) {
-	return ground === null || systemOf(view, ground) === "own" ? null : numberOf(ground.gsd[image] ?? NaN);
-}
-function median(values) {
-	const sorted = Float64Array.from(values).sort();
-	return sorted[Math.floor(sorted.length / 2)] ?? NaN;
-}
-function numberOf(value) {
-	return Number.isFinite(value) ? value : null;
-}
 // www/block/state/laid.ts
 var laidUnder = remember((orthophoto, placed, files, shown, ground, system) => {
 	if (orthophoto === null || shown === null || ground === null || shown.view.layout.kind !== "oriented") return null;
@@ -9941,37 +10246,59 @@ function lengthText(length, system, unit = "m") {
 	const [factor, metric] = length >= 1e3 ? [.001, "km"] : length >= 1 ? [1, "m"] : length >= .01 ? [100, "cm"] : [1e3, "mm"];
 	return withUnit(twoDigits(length * factor), metric);
 }
-function paintGrid(context, colours, t, width, height) {
-	const step = niceBelow(1.6 * GRID / t.scale);
-	const [left, top] = toPosition(t, 0, 0);
-	const [right, bottom] = toPosition(t, width, height);
+function paintGrid(context, colours, t, width, height, toBlock = null) {
+	const to = toBlock ?? SAME;
+	const from = inverse(to);
+	const corners = [
+		[0, 0],
+		[width, 0],
+		[0, height],
+		[width, height]
+	].map(([x = 0, y = 0]) => {
+		const [left, down] = toPosition(t, x, y);
+		return mapped(from, left, -down);
+	});
+	const [west, east] = rangeOf(corners.map(([x]) => x));
+	const [south, north] = rangeOf(corners.map(([, y]) => y));
+	const step = niceBelow(1.6 * GRID / (t.scale * scaleOf(to)));
+	const place = (x, y) => {
+		const [u, v] = mapped(to, x, y);
+		return toCanvas(t, u, -v);
+	};
+	const columns = ticks(west, east, step).map((x) => ({
+		at: x,
+		ends: [place(x, south), place(x, north)]
+	}));
+	const rows = ticks(south, north, step).map((y) => ({
+		at: y,
+		ends: [place(west, y), place(east, y)]
+	}));
 	context.save();
 	context.strokeStyle = colours.muted;
 	context.lineWidth = .5;
 	context.globalAlpha = .35;
 	context.beginPath();
-	const columns = ticks(left, right, step);
-	const rows = ticks(-bottom, -top, step);
-	for (const x of columns) {
-		const at = toCanvas(t, x, 0)[0];
-		context.moveTo(at, 0);
-		context.lineTo(at, height);
-	}
-	for (const y of rows) {
-		const at = toCanvas(t, 0, -y)[1];
-		context.moveTo(0, at);
-		context.lineTo(width, at);
+	for (const { ends: [one, other] } of [...columns, ...rows]) {
+		context.moveTo(...one);
+		context.lineTo(...other);
 	}
 	context.stroke();
 	context.globalAlpha = 1;
 	context.font = "10px system-ui, sans-serif";
 	context.textAlign = "start";
-	for (const x of columns) haloed(context, colours, stepText(x, step), toCanvas(t, x, 0)[0] + 3, 11);
-	for (const y of rows) {
-		const at = toCanvas(t, 0, -y)[1];
-		if (at > 28 && at < height - 52) haloed(context, colours, stepText(y, step), 3, at - 3);
+	for (const { at, ends } of columns) haloed(context, colours, stepText(at, step), crossingOf(ends, 1, 0) + 3, 11);
+	for (const { at, ends } of rows) {
+		const y = crossingOf(ends, 0, 0);
+		if (y > 28 && y < height - 52) haloed(context, colours, stepText(at, step), 3, y - 3);
 	}
 	context.restore();
+}
+function rangeOf(values) {
+	return [Math.min(...values), Math.max(...values)];
+}
+function crossingOf([one, other], axis, at) {
+	const share = (at - one[axis]) / (other[axis] - one[axis]);
+	return one[1 - axis] + share * (other[1 - axis] - one[1 - axis]);
 }
 function ticks(from, to, step) {
 	const first = Math.ceil(from / step);
@@ -10926,7 +11253,7 @@ var BlockMap = class extends Chart {
 			this.layers.ratio
 		]);
 		if (ground !== null) this.paintPhotos(context, colours, view, t, ground, shown);
-		if (hasPlaces) paintGrid(context, colours, t, width, height);
+		if (hasPlaces) paintGrid(context, colours, t, width, height, resultSystem(view).toBlock);
 		if (ground !== null && hasPlaces) paintFootprints(context, colours, ground, t, outlined, (image) => isMarked(shown, image));
 		if (look.connections) this.paintConnections(context, colours, view, t, shown);
 		const below = ground === null ? this.paintPhotos(context, colours, view, t, ground, shown) : 19;
@@ -11172,6 +11499,8 @@ function showLegend(legend, bar, map, view) {
 	fill(legend, text, ...scale === void 0 ? [] : [h("span", { class: "map-colours" }, `${scale.title}: ${ends[0] ?? ""}`, bar, ends[1] ?? "")]);
 }
 function systemText(view, map) {
+	const { name } = resultSystem(view);
+	if (name !== "") return asFigure(name);
 	const system = systemOf(view, map.ground());
 	return system === "surveyed" && isInSystemOf(view) ? say("system-of-the-orthophoto") : SYSTEMS[system];
 }
@@ -11199,6 +11528,11 @@ function placeText(map, view) {
 	const { place } = map;
 	if (view === null || place === null) return "";
 	const system = systemOf(view, map.ground());
+	const { code, toBlock, unit: units, more } = resultSystem(view);
+	if (toBlock !== null) {
+		const [x = "", y = ""] = mapped(inverse(toBlock), place[0], place[1]).map((value) => fixed(value, 2 + more));
+		return `${withUnit(`X ${x}  Y ${y}`, units[0])}  ${code}`;
+	}
 	const unit = system === "own" ? "" : " m";
 	const own = `${system === "geographic" ? "E" : "X"} ${fixed(place[0], 2)}${unit}  ${system === "geographic" ? "N" : "Y"} ${fixed(place[1], 2)}${unit}`;
 	const laid = map.laid();
@@ -13056,12 +13390,7 @@ function mountPlacingSettings(host, store, files) {
 		fill(name, placing.orthophoto === null ? ORTHOPHOTO : orthophotoText(placing.orthophoto));
 		const [from, to] = placing.orthophoto?.info.heights ?? [];
 		const unit = unitText(unitOfOrthophoto(placing.orthophoto));
-		fill(model, placing.heights.kind === "level" ? HEIGHTS : say("from-to", {
-			name: placing.heights.model.name,
-			from,
-			to,
-			unit
-		}));
+		fill(model, heightsText$1(placing, from, to, unit));
 	});
 	store.watch(["catalogue"], ([catalogue]) => {
 		if (catalogue === null) return;
@@ -13088,6 +13417,16 @@ function mountPlacingSettings(host, store, files) {
 		orthophoto: () => orthophotoInput.click(),
 		heights: () => heightsInput.click()
 	};
+}
+function heightsText$1({ heights, orthophoto }, from, to, unit) {
+	if (heights.kind === "model") return say("from-to", {
+		name: heights.model.name,
+		from,
+		to,
+		unit
+	});
+	if (heights.by !== "block") return HEIGHTS;
+	return `${HEIGHTS} ${say("level-of-block", { height: withUnit(fixed(heights.height, 1), unitOfOrthophoto(orthophoto)) })}`;
 }
 var PURPOSES = [
 	["block", say("purpose-block")],
@@ -15089,7 +15428,7 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	const engine = new BlockEngine(store);
 	const placing = new PlacingEngine(store);
 	const onGround = new BlockPlacing(store, engine, placing);
-	const runs = new BlockRuns(store, engine, placing, onGround);
+	const runs = new BlockRuns(store, engine, placing, onGround, new GroundFiles(store, placing));
 	const kept = new KeptBlocks(store, engine, catalogue, () => {
 		placing.cancel();
 		onGround.cancel();

@@ -1020,7 +1020,17 @@ function __wbg_get_imports() {
 			},
 			__wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
 				const words = getStringFromWasm0(arg0, arg1);
-				throw new Error(words === "null pointer passed to rust" ? "the object was freed, or moved into another one: make a new one" : words);
+				if (words !== "null pointer passed to rust") throw new Error(words);
+				const error = {
+					kind: "invalid-input",
+					refusal: { kind: "freed_object" }
+				};
+				throw Object.assign(new Error(message$1("error", error)), {
+					name: "TiepointError",
+					code: "invalid-input",
+					usage: false,
+					error
+				});
 			},
 			__wbg___wbindgen_typeof_ee4990276e02f607: function(arg0) {
 				return typeof arg0;
@@ -1237,7 +1247,7 @@ function __wbg_get_imports() {
 				return Symbol.toStringTag;
 			},
 			__wbindgen_generic_0000000000000001: function(arg0, arg1) {
-				return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4);
+				return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9);
 			},
 			__wbindgen_generic_0000000000000002: function(arg0) {
 				return arg0;
@@ -1256,8 +1266,8 @@ function __wbg_get_imports() {
 		}
 	};
 }
-function wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3) {
-	const ret = wasm.wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9(arg0, arg1, arg2, arg3) {
+	const ret = wasm.wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9(arg0, arg1, arg2, arg3);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -12670,7 +12680,8 @@ var OTHER = [
 	"focal_length",
 	"wide_angle",
 	"contradicted_focal",
-	"doubtful_focal"
+	"doubtful_focal",
+	"far_principal_point"
 ];
 function cameraWanted(verdict) {
 	if (verdict.kind === "oriented") return null;

@@ -898,7 +898,17 @@
 				},
 				__wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
 					const words = getStringFromWasm0(arg0, arg1);
-					throw new Error(words === "null pointer passed to rust" ? "the object was freed, or moved into another one: make a new one" : words);
+					if (words !== "null pointer passed to rust") throw new Error(words);
+					const error = {
+						kind: "invalid-input",
+						refusal: { kind: "freed_object" }
+					};
+					throw Object.assign(new Error(message$1("error", error)), {
+						name: "TiepointError",
+						code: "invalid-input",
+						usage: false,
+						error
+					});
 				},
 				__wbg___wbindgen_typeof_ee4990276e02f607: function(arg0) {
 					return typeof arg0;
@@ -1115,7 +1125,7 @@
 					return Symbol.toStringTag;
 				},
 				__wbindgen_generic_0000000000000001: function(arg0, arg1) {
-					return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4);
+					return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9);
 				},
 				__wbindgen_generic_0000000000000002: function(arg0) {
 					return arg0;
@@ -1134,8 +1144,8 @@
 			}
 		};
 	}
-	function wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3) {
-		const ret = wasm.wasm_bindgen__convert__closures_____invoke__hc1e2964fc5d4edb4(arg0, arg1, arg2, arg3);
+	function wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9(arg0, arg1, arg2, arg3) {
+		const ret = wasm.wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9(arg0, arg1, arg2, arg3);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -1952,9 +1962,12 @@
 				name: "options"
 			},
 			json_fault: {
-				kind: "field",
+				kind: "value",
 				field,
-				words: `unknown field \`${field}\`, expected one of ${OPTIONS.map((name) => `\`${name}\``).join(", ")}`,
+				json_slip: {
+					kind: "unknown_field",
+					known: OPTIONS.join(", ")
+				},
 				line: null,
 				column: null
 			}
@@ -2459,6 +2472,7 @@
 			},
 			origin,
 			crs,
+			system: remarks.find((remark) => remark.kind === "result_system")?.crs ?? null,
 			geoidM: geoid_m,
 			rmsePx: rmse_px,
 			sigma0Px: sigma0_px,
