@@ -1,5 +1,5 @@
 // @ts-check
-import { orient_fiducials, parse_fiducials } from '../node.js';
+import { message, orient_fiducials, parse_fiducials } from '../node.js';
 import { about } from './errors.js';
 import { readText } from './files.js';
 import { JSON_FLAG, word } from './options.js';
@@ -11,6 +11,9 @@ import { fixed, table } from './text.js';
 /** @type {FiducialModel[]} */
 const MODELS = ['affine', 'similarity'];
 
+/** What other commands refuse. */
+const MIRRORED = { kind: 'invalid_input', refusal: { kind: 'marks_mirrored' } };
+
 const MODEL = word('model', MODELS, 'The transformation from scan to photo: affine has six parameters, similarity four.', 'affine');
 
 /** @type {import('./args.js').Command} */
@@ -21,15 +24,21 @@ export const interior = {
   options: [MODEL, JSON_FLAG],
   details:
     'FIDUCIALS.csv: columns col,row,x_mm,y_mm, one line per mark. x_mm = a col + b row + tx, y_mm = d col + e row + ty. ' +
-    'JSON: model, parameters [[a, b, tx], [d, e, ty]], residuals_mm, sigma0_mm, standard_errors (null without redundancy), covariance (of the three parameters of a row, the same for both rows; null without redundancy and for a similarity), degrees_of_freedom.',
+    'JSON: model, parameters [[a, b, tx], [d, e, ty]], residuals_mm, sigma0_mm, standard_errors (null without redundancy), covariance (of the three parameters of a row, the same for both rows; null without redundancy and for a similarity), degrees_of_freedom, mirrored (whether the marks lie mirrored in the scan).',
   run({ positionals: [file = ''], values }) {
     const text = readText(file);
     const model = /** @type {FiducialModel} */ (values.get('model') ?? 'affine');
     const result = about(file, () => orient_fiducials(parse_fiducials(text), model));
-    if (values.has('json')) printJson(result);
-    else print(...describe(result));
+    const mirrored = isMirrored(result);
+    if (values.has('json')) printJson({ ...result, mirrored });
+    else print(...describe(result), ...(mirrored ? ['', `warning: ${message('error', MIRRORED)}`] : []));
   },
 };
+
+/** Whether the marks lie mirrored in the scan, whose rows count downwards.  @param {import('../node.js').FiducialOrientation} result */
+function isMirrored({ parameters: [[a, b], [d, e]] }) {
+  return a * e - b * d > 0;
+}
 
 /** @param {import('../node.js').FiducialOrientation} result @returns {string[]} */
 function describe(result) {

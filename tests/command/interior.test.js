@@ -39,6 +39,14 @@ test('exact marks give the transformation back', () => {
   assert.ok(result.sigma0_mm < 1e-10);
 });
 
+test('marks whose columns and rows are exchanged lie mirrored, which is said', () => {
+  const head = 'row,col,x_mm,y_mm';
+  const exchanged = file(at, 'exchanged.csv', marks().replace('col,row,x_mm,y_mm', head));
+  assert.deepEqual([json('interior', exchanged).mirrored, json('interior', file(at, 'right.csv', marks())).mirrored], [true, false]);
+  assert.match(tiepoint('interior', exchanged).stdout, /^warning: fiducial marks: got marks that lie mirrored in the scan;/m);
+  assert.doesNotMatch(tiepoint('interior', file(at, 'right.csv', marks())).stdout, /warning/);
+});
+
 test('a table that a spreadsheet saved as Unicode text is read', () => {
   const plain = json('interior', file(at, 'plain.csv', marks()));
   const text = Buffer.from(`\ufeff${marks().replaceAll(',', '\t').replaceAll('.', ',')}`, 'utf16le');
