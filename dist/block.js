@@ -4266,12 +4266,20 @@ var GroundFiles = class {
 		}));
 	}
 	async takeLevelOfBlock(here) {
+		const heights = this.otherLevel();
+		if (heights === null) return "";
+		const name = withUnit(fixed(heights.height, 1), unitOfOrthophoto(this.store.state.placing.orthophoto));
+		return await this.setHeights(here, name, () => Promise.resolve(heights)) === null ? null : say("level-of-block", { height: name });
+	}
+	hasOtherLevel() {
+		return this.otherLevel() !== null;
+	}
+	otherLevel() {
 		const { placing, shown } = this.store.state;
 		const heights = levelByBlock(placing, shown);
-		if (heights?.kind !== "level") return "";
-		if (placing.heights.kind === "level" && placing.heights.height === heights.height && placing.heights.by === "block") return "";
-		const name = withUnit(fixed(heights.height, 1), unitOfOrthophoto(placing.orthophoto));
-		return await this.setHeights(here, name, () => Promise.resolve(heights)) === null ? null : say("level-of-block", { height: name });
+		if (heights?.kind !== "level") return null;
+		const { heights: set } = placing;
+		return set.kind === "level" && set.height === heights.height && set.by === "block" ? null : heights;
 	}
 	async setHeights(here, name, made) {
 		if (this.store.state.placing.orthophoto === null) {
@@ -6560,7 +6568,7 @@ var BlockRuns = class {
 			notice: null
 		});
 		try {
-			if (await this.ground.takeLevelOfBlock(here) === null) return;
+			if (this.ground.hasOtherLevel() && await this.ground.takeLevelOfBlock(here) === null) return;
 			const done = await this.images.place();
 			here();
 			if (done === null) this.tell("info", say("cancelled-what-was-placed-stays"));

@@ -60,7 +60,7 @@ export interface RunOptions {
   gps?: 'use' | 'ignore';
   /** Ground control points and their image measurements. */
   control?: ControlTexts | null;
-  /** Image files, 0 (black) where no features are wanted, each as large as the image whose name it has. */
+  /** Image files, 0 (black) where no features are wanted, each as large as the image whose name it has; `stray_masks` of the summary names those that fit none. */
   masks?: readonly Source[] | null;
   /** The geoid from which the heights of the coordinate system count: a GeoTIFF of longitudes and latitudes, GTX, or PGM of GeographicLib. */
   geoid?: Source | null;

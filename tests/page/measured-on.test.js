@@ -58,7 +58,9 @@ test('a point that is being measured is measured on after a reload and after New
   await status(page, /Restored from this browser/);
   await says(page, 'block-edit-text', /^G0: placed in 2 images/);
   await page.waitForFunction((count) => document.querySelectorAll('[data-testid^="pane-image-"]').length === count, after.length);
-  assert.deepEqual((await shown(page)).slice(0, 2), [first, other]);
+  await until(page, 'the images in which it is placed come first', async () =>
+    String((await shown(page)).slice(0, 2)) === String([first, other]) ? true : null,
+  );
 
   await part(page, 'block-clear').click();
   await status(page, /The edited block stays under Projects\./);

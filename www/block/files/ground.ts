@@ -82,14 +82,24 @@ export class GroundFiles {
 
   /** The ground lies as high as the tie points of the block that is shown, where that lies on the earth and nothing else was given. Says nothing where it says no height. */
   async takeLevelOfBlock(here: Here): Promise<string | null> {
-    const { placing, shown } = this.store.state;
-    const heights = levelByBlock(placing, shown);
-    if (heights?.kind !== 'level') return '';
-    const isSet = placing.heights.kind === 'level' && placing.heights.height === heights.height && placing.heights.by === 'block';
-    if (isSet) return '';
-    const name = withUnit(fixed(heights.height, 1), unitOfOrthophoto(placing.orthophoto));
+    const heights = this.otherLevel();
+    if (heights === null) return '';
+    const name = withUnit(fixed(heights.height, 1), unitOfOrthophoto(this.store.state.placing.orthophoto));
     const said = await this.setHeights(here, name, () => Promise.resolve(heights));
     return said === null ? null : say('level-of-block', { height: name });
+  }
+
+  /** Whether the block that is shown says another height of level ground than the one that is set. */
+  hasOtherLevel(): boolean {
+    return this.otherLevel() !== null;
+  }
+
+  private otherLevel(): Extract<GivenHeights, { kind: 'level' }> | null {
+    const { placing, shown } = this.store.state;
+    const heights = levelByBlock(placing, shown);
+    if (heights?.kind !== 'level') return null;
+    const { heights: set } = placing;
+    return set.kind === 'level' && set.height === heights.height && set.by === 'block' ? null : heights;
   }
 
   private async setHeights(here: Here, name: string, made: () => Promise<GivenHeights>): Promise<string | null> {

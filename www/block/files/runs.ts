@@ -55,8 +55,8 @@ export class BlockRuns {
     this.store.dispatch({ type: 'stage', view: 'orthophoto' });
     this.store.dispatch({ type: 'notice', notice: null });
     try {
-      // A block that was found after the orthophoto was given says how high its ground lies.
-      if ((await this.ground.takeLevelOfBlock(here)) === null) return;
+      // A block that was found after the orthophoto was given says how high its ground lies. Without it placing begins at once, as files that are given are told.
+      if (this.ground.hasOtherLevel() && (await this.ground.takeLevelOfBlock(here)) === null) return;
       const done = await this.images.place();
       here();
       if (done === null) this.tell('info', say('cancelled-what-was-placed-stays'));
