@@ -10,7 +10,7 @@ messages! {
     #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
     pub enum JsonFault as "json_fault" {
         /// A value; a field by its path, absent for the whole.
-        Value { field: Option<String>, json_slip: JsonSlip, line: Option<usize>, column: Option<usize> },
+        Value { field: Option<String>, json_slip: Box<JsonSlip>, line: Option<usize>, column: Option<usize> },
         /// A field by its path, in words of who read it.
         Field { field: String, words: String, line: Option<usize>, column: Option<usize> },
         /// The whole, in words of who read it.

@@ -109,7 +109,7 @@ impl Slip {
         }
         let field = Some(field).filter(|field| !field.is_empty());
         match (what, field) {
-            (What::Slip(json_slip), field) => JsonFault::Value { field, json_slip, line, column },
+            (What::Slip(json_slip), field) => JsonFault::Value { field, json_slip: Box::new(json_slip), line, column },
             (What::Words(words), Some(field)) => JsonFault::Field { field, words, line, column },
             (What::Words(words), None) => JsonFault::Text { words, line, column },
         }
