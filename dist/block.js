@@ -33,12 +33,19 @@ var Facts = class {
 	answers = new Map();
 	asked = new Set();
 	listeners = [];
+	waiting = [];
 	constructor(store, engine) {
 		this.store = store;
 		this.engine = engine;
 	}
 	watch(arrived) {
 		this.listeners.push(arrived);
+	}
+	get isAsked() {
+		return this.asked.size > 0;
+	}
+	answered() {
+		return new Promise((resolve) => this.waiting.push(resolve));
 	}
 	points(image) {
 		return this.get(`points ${String(image)}`, () => this.engine.imagePoints(image));
@@ -76,8 +83,11 @@ var Facts = class {
 			this.asked.delete(name);
 			this.keep(name, answer);
 			for (const listener of this.listeners) listener();
+			this.goOn(true);
 		}, () => {
-			if (this.of === of) this.asked.delete(name);
+			if (this.of !== of) return;
+			this.asked.delete(name);
+			this.goOn(false);
 		});
 		return null;
 	}
@@ -90,6 +100,12 @@ var Facts = class {
 		this.of = of;
 		this.answers.clear();
 		this.asked.clear();
+		this.goOn(false);
+	}
+	goOn(hasCome) {
+		const { waiting } = this;
+		this.waiting = [];
+		for (const resolve of waiting) resolve(hasCome);
 	}
 };
 // www/block/state/former.ts
@@ -8577,11 +8593,18 @@ var Measuring = class {
 		const at = this.placeIn(pane);
 		if (at !== null) this.place(pane, [at[0] + dx, at[1] + dy]);
 	}
-	settle(pane, middle) {
+	async settle(pane, middle) {
 		const { draft } = this;
 		if (draft === null) return;
-		if (draft.places.has(pane.image) || this.measured(pane.image) !== null) this.accept();
-		else this.place(pane, this.expected(pane) ?? middle);
+		if (draft.places.has(pane.image) || this.measured(pane.image) !== null) return this.accept();
+		let own = pane;
+		let expected = this.expected(own);
+		while (expected === null && this.facts.isAsked && await this.facts.answered()) {
+			own = this.panes().find(({ image }) => image === pane.image);
+			if (this.draft !== draft || own === void 0) return;
+			expected = this.expected(own);
+		}
+		if (this.draft === draft) this.place(own, expected ?? middle);
 	}
 	accept() {
 		this.store.dispatch({

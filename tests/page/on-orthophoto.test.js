@@ -283,14 +283,6 @@ async function measured(page, place, name) {
   await says(page, 'block-edit-text', new RegExp(`^${name}: placed in 2 images`));
 }
 
-/** Waits until the images and what is known of them are drawn: before, a key places a point in the middle of its image and not where it is expected.  @param {import('playwright-core').Page} page */
-const isDrawn = (page) =>
-  until(page, 'the images are drawn', async () => {
-    const before = await page.screenshot();
-    await page.waitForTimeout(500);
-    return (await page.screenshot()).equals(before) ? true : null;
-  });
-
 test('places measured by hand bring a block into the system of the orthophoto, by mouse and by keys; they stay over a reload and a new place', {
   skip: SKIP,
 }, async () => {
@@ -348,7 +340,6 @@ test('places measured by hand bring a block into the system of the orthophoto, b
   await page.keyboard.press('Enter');
   await says(page, 'block-edit-text', /^orthophoto_hand_4: placed in 0 images/);
   for (const images of [1, 2]) {
-    await isDrawn(page);
     await page.keyboard.press('Enter');
     await says(page, 'block-edit-text', new RegExp(`^orthophoto_hand_4: placed in ${images} image`));
     await page.keyboard.press('o');

@@ -14,6 +14,7 @@ export class Facts {
   private readonly answers = new Map<string, unknown>();
   private readonly asked = new Set<string>();
   private readonly listeners: (() => void)[] = [];
+  private waiting: ((hasCome: boolean) => void)[] = [];
 
   constructor(
     private readonly store: BlockStore,
@@ -23,6 +24,16 @@ export class Facts {
   /** Calls back whenever an answer has come. */
   watch(arrived: () => void): void {
     this.listeners.push(arrived);
+  }
+
+  /** Whether answers are on their way. */
+  get isAsked(): boolean {
+    return this.asked.size > 0;
+  }
+
+  /** Until one of them has come: false where one will not come any more. */
+  answered(): Promise<boolean> {
+    return new Promise((resolve) => this.waiting.push(resolve));
   }
 
   /** The observations of an image; null while they are on their way. */
@@ -67,10 +78,13 @@ export class Facts {
         this.asked.delete(name);
         this.keep(name, answer);
         for (const listener of this.listeners) listener();
+        this.goOn(true);
       },
       () => {
         // The worker was ended, or holds no block: the next drawing asks again.
-        if (this.of === of) this.asked.delete(name);
+        if (this.of !== of) return;
+        this.asked.delete(name);
+        this.goOn(false);
       },
     );
     return null;
@@ -87,5 +101,12 @@ export class Facts {
     this.of = of;
     this.answers.clear();
     this.asked.clear();
+    this.goOn(false);
+  }
+
+  private goOn(hasCome: boolean): void {
+    const { waiting } = this;
+    this.waiting = [];
+    for (const resolve of waiting) resolve(hasCome);
   }
 }

@@ -50,7 +50,7 @@ export function measuringKeys(view: Commanded): Command[] {
   });
   const settle = (pane: Pane) => {
     const { rect, transform } = pane;
-    measuring.settle(pane, toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2));
+    void measuring.settle(pane, toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2));
   };
   return [
     { keys: ['e'], does: say('measures-the-chosen-point'), run: shown(() => measuring.toggle(false)) },

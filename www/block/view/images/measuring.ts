@@ -142,12 +142,20 @@ export class Measuring {
     if (at !== null) this.place(pane, [at[0] + dx, at[1] + dy]);
   }
 
-  /** Places the point where it is expected, or at a place; where it is placed it is accepted. */
-  settle(pane: Pane, middle: Position): void {
+  /** Places the point where it is expected, or at a place; where it is placed it is accepted. What says where it is expected may still be on its way. */
+  async settle(pane: Pane, middle: Position): Promise<void> {
     const { draft } = this;
     if (draft === null) return;
-    if (draft.places.has(pane.image) || this.measured(pane.image) !== null) this.accept();
-    else this.place(pane, this.expected(pane) ?? middle);
+    if (draft.places.has(pane.image) || this.measured(pane.image) !== null) return this.accept();
+    let own: Pane | undefined = pane;
+    let expected = this.expected(own);
+    while (expected === null && this.facts.isAsked && (await this.facts.answered())) {
+      // The user has gone on to something else.
+      own = this.panes().find(({ image }) => image === pane.image);
+      if (this.draft !== draft || own === undefined) return;
+      expected = this.expected(own);
+    }
+    if (this.draft === draft) this.place(own, expected ?? middle);
   }
 
   accept(): void {
