@@ -15,7 +15,8 @@ test('a camera is asked for where none is known, another one where the one that 
   for (const reason of ['no_camera', 'no_focal_length', 'no_pixel_size', 'altered', 'plane_without_camera'])
     assert.equal(cameraWanted(none(reason)), 'given', reason);
   for (const warning of ['unknown_camera', 'resized_or_cropped', 'cropped', 'other_pixels']) assert.equal(cameraWanted(weak(warning)), 'given', warning);
-  for (const warning of ['focal_length', 'wide_angle', 'contradicted_focal', 'doubtful_focal', 'far_principal_point']) assert.equal(cameraWanted(weak(warning)), 'other', warning);
+  for (const warning of ['focal_length', 'wide_angle', 'contradicted_focal', 'doubtful_focal', 'far_principal_point'])
+    assert.equal(cameraWanted(weak(warning)), 'other', warning);
   for (const verdict of [none('no_geometry'), none('one_photo'), weak('rotation'), weak('few_matches')]) assert.equal(cameraWanted(verdict), null);
   assert.equal(cameraWanted({ kind: 'oriented', points: 9, sigma0_px: 0.1, kappa_deg: 0, half_width_deg: 0.1 }), null);
 });
