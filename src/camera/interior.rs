@@ -28,6 +28,9 @@ pub struct Interior {
     /// Covariance of the three parameters of a row, the same for both rows, which are independent; absent where it is not known.
     #[serde(default)]
     pub covariance: Option<[[f64; 3]; 3]>,
+    /// Degrees of freedom of the σ₀ by which the covariance is; absent where that is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub degrees_of_freedom: Option<usize>,
     /// What is not known of the camera; absent: nothing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty: Option<CameraUncertainty>,
@@ -51,7 +54,8 @@ impl Interior {
         }
         let parameters = marks.parameters.map(|[by_col, by_row, shift]| [by_col, by_row, shift + by_col * origin[0] + by_row * origin[1]]);
         let covariance = marks.covariance.map(|covariance| moved_to(&covariance, origin));
-        Ok(Self::new(camera, parameters, covariance))
+        let degrees_of_freedom = covariance.map(|_| marks.degrees_of_freedom);
+        Ok(Self { covariance, degrees_of_freedom, ..Self::new(camera, parameters) })
     }
 
     /// From the side of a pixel, for the whole image of a digital camera of `width` x `height` px:
@@ -65,12 +69,20 @@ impl Interior {
         let pixel = camera.pixel_mm.ok_or_else(|| refuse_absent("camera.pixel_mm", Allowed::WithoutFiducials { min: 1e-6, max: 10.0 }))?;
         let (half_width, half_height) = (0.5 * width as f64, 0.5 * height as f64);
         let parameters = [[pixel, 0.0, -half_width * pixel], [0.0, -pixel, half_height * pixel]];
-        Ok(Self { uncertainty: Some(camera.uncertainty.unwrap_or(CameraUncertainty::GIVEN)), ..Self::new(camera, parameters, None) })
+        Ok(Self { uncertainty: Some(camera.uncertainty.unwrap_or(CameraUncertainty::GIVEN)), ..Self::new(camera, parameters) })
     }
 
-    fn new(camera: &CameraMm, parameters: [[f64; 3]; 2], covariance: Option<[[f64; 3]; 3]>) -> Self {
+    fn new(camera: &CameraMm, parameters: [[f64; 3]; 2]) -> Self {
         let CameraMm { principal_point_mm, radial_distortion, tangential_distortion, uncertainty, .. } = *camera;
-        Self { parameters, principal_point_mm, radial_distortion, tangential_distortion, covariance, uncertainty }
+        Self {
+            parameters,
+            principal_point_mm,
+            radial_distortion,
+            tangential_distortion,
+            covariance: None,
+            degrees_of_freedom: None,
+            uncertainty,
+        }
     }
 
     /// Refuses a distortion that folds an image of this size: that takes a place farther out to one nearer in.
@@ -139,7 +151,7 @@ impl Interior {
             radial_distortion: [k1 / f2, k2 / (f2 * f2), k3 / (f2 * f2 * f2)],
             tangential_distortion: self.tangential_distortion.map(|p| p / factor),
             covariance: self.covariance.map(|rows| rows.map(|row| row.map(|v| v * f2))),
-            uncertainty: self.uncertainty,
+            ..*self
         }
     }
 

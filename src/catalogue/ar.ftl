@@ -410,6 +410,7 @@ warning-plane = تقع جميع النقاط في مستوى ضمن دقتها: 
 warning-clustered = تغطي النقاط جزءًا صغيرًا من الصورة (الجذر التربيعي لمتوسط مربعات بعدها عن وسطها { FIXED($coverage, digits: 2) } من البعد البؤري؛ السليم { $least } على الأقل).
 warning-rotation = لا تكاد الصورتان تختلفان إلا بدوران: القاعدة أقصر من أن تتميز عن الضجيج والتشوه (اختلاف المنظر { SIGNIFICANT($parallax_deg, digits: 2) }°؛ السليم { SIGNIFICANT($least_deg, digits: 2) }° على الأقل).
 warning-ill-conditioned = لا تكاد المجاهيل تنفصل، كما فوق أسطوانة حرجة (العدد الشرطي { POWER($condition, digits: 1) }؛ السليم حتى { POWER($most, digits: 0) }).
+warning-unchecked = لا تكفي الأرصاد، وعددها { $observations }، ليتحقق بعضها من بعض: فالخطأ الجسيم في إحداها لا يمكن كشفه، ولا يظهر في الأخطاء المعيارية. قِس نقاطًا أكثر.
 warning-identical =
     { $copies ->
         [one] رصدة واحدة مطابقة لأخرى
@@ -447,6 +448,7 @@ warning-uncertain = يُعرف الدوران بحدود ±{ SIGNIFICANT($half_w
 warning-uncertain-base = يُعرف اتجاه القاعدة بحدود ±{ SIGNIFICANT($half_width_deg, digits: 2) }° فقط (95 %)؛ السليم حتى ±{ $most_deg }°.
 warning-imprecise = ‏σ0 تبلغ { FIXED($sigma0_px, digits: 1) } بكسل؛ تبلغ المطابقة { FIXED($most_px, digits: 1) } بكسل حيث تكون الكاميرا وتشوهها صحيحين. وقد لا تصح المجالات.
 warning-focal-length = تطلب المتبقيات بعدًا بؤريًا يختلف بنسبة { FIXED($change_percent, digits: 2) } % ({ FIXED($w, digits: 1) } من الأخطاء المعيارية)، وهو ما يخرج النتيجة من مجالات الثقة 95 %.
+warning-unchecked-focal = يوافق نصفُ البعد البؤري بالجودة نفسها تقريبًا (σ0 له { FIXED($ratio, digits: 2) } مرة؛ يُستبعد ابتداءً من { FIXED($least, digits: 2) }): فمجال الرؤية ضيق والأرض شبه مستوية، فلا تتحقق الصورتان من البعد البؤري المعطى.
 
 ## Pairs of a block: what came of matching them, and why they were chosen.
 

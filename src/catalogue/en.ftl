@@ -904,6 +904,7 @@ warning-plane = All points lie in a plane within their precision: a second orien
 warning-clustered = The points cover a small part of the photo (root mean square { FIXED($coverage, digits: 2) } focal lengths from their middle; at least { $least } is sound).
 warning-rotation = The photos hardly differ but by a rotation: the base is too short to be distinguished from noise and distortion (parallax { SIGNIFICANT($parallax_deg, digits: 2) }°; at least { SIGNIFICANT($least_deg, digits: 2) }° is sound).
 warning-ill-conditioned = The unknowns are hardly separable, as over a critical cylinder (condition { POWER($condition, digits: 1) }; up to { POWER($most, digits: 0) } is sound).
+warning-unchecked = { $observations } observations do not check each other: a gross error in one of them cannot be found, nor do the standard errors show it. Measure more points.
 warning-identical =
     { $copies ->
         [one] 1 observation is the same as another
@@ -938,6 +939,7 @@ warning-uncertain = The rotation is known to ±{ SIGNIFICANT($half_width_deg, di
 warning-uncertain-base = The direction of the base is known to ±{ SIGNIFICANT($half_width_deg, digits: 2) }° only (95 %); up to ±{ $most_deg }° is sound.
 warning-imprecise = σ0 is { FIXED($sigma0_px, digits: 1) } px; matching reaches { FIXED($most_px, digits: 1) } px where the camera and its distortion are right. The intervals may not hold.
 warning-focal-length = The residuals ask for a focal length that differs by { FIXED($change_percent, digits: 2) } % ({ FIXED($w, digits: 1) } standard errors), which would move the result out of its 95 % intervals.
+warning-unchecked-focal = Half the focal length fits nearly as well (its σ0 is { FIXED($ratio, digits: 2) } times as large; from { FIXED($least, digits: 2) } it is excluded): the view is narrow and the ground nearly level, so that the photos do not check the given one.
 
 ## Pairs of a block: what came of matching them, and why they were chosen.
 

@@ -2,7 +2,8 @@
 
 use super::adjusted::Adjusted;
 use super::coplanarity::{Ray, Unknowns};
-use super::normals::{Matrix5, Normals};
+use super::narrow::NARROW;
+use super::normals::Normals;
 use super::precision::derivatives;
 use crate::math::student_limit;
 use nalgebra::SVector;
@@ -17,9 +18,6 @@ const LEAST_PARALLAX: f64 = 0.25;
 /// What a change of the focal length by more explains besides is not counted: residuals that matches share, as those of correlation, ask for a multiple of
 /// it where they hardly tell it. On simulated flights such a change owes it up to 0.47, the part within this up to 0.2.
 const MOST_CHANGE: f64 = 0.3;
-
-/// From this condition on, as of a narrow field of view, what matches share does not imitate a focal length: on no right pair.
-const NARROW: f64 = 1e4;
 
 /// A focal length that the observations contradict.
 #[derive(Debug, Clone, Copy)]
@@ -40,7 +38,7 @@ pub(super) struct FocalMisfit {
 pub(super) fn misfit(
     adjusted: &Adjusted,
     (rays, weights): (&[Ray], &[f64]),
-    half_widths: &[f64; 5],
+    half_widths: &Unknowns,
     (base_mm, condition): (f64, f64),
     alpha0: f64,
 ) -> Option<FocalMisfit> {
@@ -79,11 +77,6 @@ pub(super) fn misfit(
 fn share_within(change: f64) -> f64 {
     let beyond = (1.0 - MOST_CHANGE / change).max(0.0);
     1.0 - beyond * beyond
-}
-
-/// Half-widths of 95 % intervals by the covariance of the unknowns and the limit of Student's distribution.
-pub(super) fn half_widths(covariance: &Matrix5, limit: f64) -> [f64; 5] {
-    std::array::from_fn(|k| limit * covariance[(k, k)].max(0.0).sqrt())
 }
 
 #[cfg(test)]

@@ -71,13 +71,17 @@ pub(super) fn derivatives(pose: &RelativePose, base_mm: f64) -> Matrix5 {
 
 /// Standard errors of ω φ κ by bz for the standard error `sigma` of a photo coordinate in the unit of the cofactors.
 pub(super) fn standard_errors(cofactors: &Matrix5, sigma: f64) -> FiveParameters {
-    let error = Unknowns::from_fn(|k, _| sigma * cofactors[(k, k)].max(0.0).sqrt());
+    in_degrees(&Unknowns::from_fn(|k, _| sigma * cofactors[(k, k)].max(0.0).sqrt()))
+}
+
+/// ω φ κ (radians), by bz (mm), with angles in degrees.
+pub(super) fn in_degrees(unknowns: &Unknowns) -> FiveParameters {
     FiveParameters {
-        omega_deg: error[0].to_degrees(),
-        phi_deg: error[1].to_degrees(),
-        kappa_deg: error[2].to_degrees(),
-        by_mm: error[3],
-        bz_mm: error[4],
+        omega_deg: unknowns[0].to_degrees(),
+        phi_deg: unknowns[1].to_degrees(),
+        kappa_deg: unknowns[2].to_degrees(),
+        by_mm: unknowns[3],
+        bz_mm: unknowns[4],
     }
 }
 

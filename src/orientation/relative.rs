@@ -6,18 +6,20 @@ use super::coplanarity::Ray;
 use super::estimate::Estimate;
 use super::focal;
 use super::identical::Different;
+use super::interval::{effective_freedom, fewer, half_widths};
 use super::normals::{Matrix5, correlations};
 use super::observed::Weighted;
 use super::plane::PlaneFit;
-use super::precision::{derivatives, parameters, propagated, signed_base, standard_errors};
+use super::precision::{derivatives, in_degrees, parameters, propagated, signed_base, standard_errors};
 use super::reliability::Judgement;
 use super::result::{ErrorEllipse, PointStatistics, Warning};
 use super::robust_start::median_parallax;
+use super::shared_covariance::{self, SharedCovariance};
 use super::sigma::Sigma;
 use super::warning::{condition, parallax_beside_rotation, spread, warnings};
-use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours, shared_covariance};
+use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, narrow, neighbours};
 use crate::Error;
-use crate::math::{joint_limit, normal_quantile, student_limit};
+use crate::math::joint_limit;
 
 /// Orients the right photo relative to the left one, which stays fixed: ω φ κ, by and bz for a given b.
 ///
@@ -127,7 +129,7 @@ struct Outcome {
     /// How many points were left out behind a camera.
     behind: usize,
     /// Covariance of ω φ κ by bz by errors that all observations share.
-    by_shared: Option<Matrix5>,
+    by_shared: Option<SharedCovariance>,
     /// Covariance as groups of neighbours show it, for the estimated σ.
     by_groups: Option<Matrix5>,
     base_mm: f64,
@@ -150,13 +152,18 @@ impl Outcome {
         let freedom = known.is_none().then_some(degrees_of_freedom);
         let noncentrality = options.noncentrality(freedom);
         let total = sigma.map(|sigma| self.total(&propagated, sigma));
-        let student = freedom.map_or_else(|| normal_quantile(0.975), |freedom| student_limit(0.05, freedom));
+        let parts = self.by_shared.as_ref().map_or(&[][..], |shared| &shared.estimated);
+        let effective = total.map(|covariance| effective_freedom(&covariance, freedom, parts));
+        let half_widths = total.zip(effective).map(|(covariance, effective)| half_widths(&covariance, &effective));
         let (condition, spread) = (condition(&correlations), spread(kept));
         let plane = PlaneFit::of(kept, adjusted.sigma);
         let beside_rotation = parallax_beside_rotation(kept);
         let both_poses =
             plane.as_ref().and_then(|plane| plane.warning(Weighted { rays: kept, weights: kept_solved }, &adjusted.pose, adjusted.sigma));
         let mut warnings = warnings(condition, both_poses, spread, (beside_rotation, adjusted.sigma));
+        if !noncentrality.is_finite() {
+            warnings.push(Warning::Unchecked { observations: kept.len() });
+        }
         if self.behind > 0 {
             warnings.push(Warning::Behind { points: self.behind });
         }
@@ -165,10 +172,11 @@ impl Outcome {
             warnings.push(Warning::Sigma { estimated_um, given_um });
         }
         let in_normals: Vec<f64> = kept_solved.iter().zip(&self.factors).map(|(weight, factor)| weight * factor).collect();
-        let half_widths = total.map(|covariance| focal::half_widths(&covariance, student));
-        let misfit =
-            half_widths.and_then(|widths| focal::misfit(adjusted, (kept, &in_normals), &widths, (self.base_mm, condition), options.alpha0));
+        let misfit = half_widths
+            .as_ref()
+            .and_then(|widths| focal::misfit(adjusted, (kept, &in_normals), widths, (self.base_mm, condition), options.alpha0));
         warnings.extend(misfit.map(|found| Warning::FocalLength { change_percent: 100.0 * found.change, w: found.w }));
+        warnings.extend(narrow::warning(adjusted, (kept, &in_normals), condition));
         let ellipse = total.map(|c| ErrorEllipse::new(c[(3, 3)], c[(3, 4)], c[(4, 4)]));
         let cofactors: [[f64; 5]; 5] = std::array::from_fn(|i| std::array::from_fn(|j| propagated[(i, j)] / (focal_mm * focal_mm)));
         RelativeOrientation {
@@ -181,7 +189,7 @@ impl Outcome {
             total_standard_errors: total
                 .filter(|_| self.by_shared.is_some() || self.by_groups.is_some())
                 .map(|covariance| standard_errors(&covariance, 1.0)),
-            half_widths_95: total.map(|covariance| standard_errors(&covariance, student)),
+            half_widths_95: half_widths.as_ref().map(in_degrees),
             sigma0_mm: estimated.map(|sigma| sigma * focal_mm),
             sigma0_a_priori_mm: options.sigma0_mm,
             global_test,
@@ -197,7 +205,7 @@ impl Outcome {
             parallax_beside_rotation_mm: beside_rotation * focal_mm,
             warnings,
             base_ellipse_mm: ellipse,
-            base_ellipse_95_mm: ellipse.map(|ellipse| ellipse.scaled(joint_limit(0.05, 2, freedom))),
+            base_ellipse_95_mm: ellipse.zip(effective).map(|(ellipse, [.., by, bz])| ellipse.scaled(joint_limit(0.05, 2, fewer(by, bz)))),
             noncentrality: Some(noncentrality).filter(|shift| shift.is_finite()),
             residuals_mm: observed.rays.iter().zip(conditions).map(|(ray, condition)| correction(ray, condition, focal_mm)).collect(),
             points: self.points((observed.weights, conditions), sigma.unwrap_or(0.0), &propagated, (noncentrality, options.method)),
@@ -212,7 +220,7 @@ impl Outcome {
         let independent = propagated * (sigma * sigma);
         let ratio = sigma / self.adjusted.sigma.max(f64::MIN_POSITIVE);
         let own = self.by_groups.map_or(independent, |by_groups| neighbours::no_less(&independent, &(by_groups * (ratio * ratio))));
-        own + self.by_shared.unwrap_or_else(Matrix5::zeros)
+        own + self.by_shared.as_ref().map_or_else(Matrix5::zeros, |shared| shared.total)
     }
 
     fn points(

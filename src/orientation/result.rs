@@ -128,6 +128,8 @@ messages! {
         Rotation { parallax_deg: f64, least_deg: f64 },
         /// The unknowns can hardly be told apart, as over a critical cylinder.
         IllConditioned { #[serde(with = "crate::json::infinite")] condition: f64, most: f64 },
+        /// So few observations that none checks the others: a gross error in one of them can neither be found nor does it show in the standard errors.
+        Unchecked { observations: usize },
         /// Observations that are the same as others to the last digit: each counts once.
         Identical { copies: usize },
         /// Points whose rays meet behind a camera are left out.
@@ -136,6 +138,9 @@ messages! {
         Sigma { estimated_um: f64, given_um: f64 },
         /// The residuals ask for another focal length, which would move unknowns out of their intervals; `w`: in standard errors.
         FocalLength { change_percent: f64, w: f64 },
+        /// Half the focal length fits nearly as well, as in a narrow view of level ground: nothing checks the given one. `ratio`: its σ₀ by that of the
+        /// given one; from `least` on it would be excluded.
+        UncheckedFocal { ratio: f64, least: f64 },
         /// The matches that took part lie in few places of the photo; those of one place share errors, as a wrong pattern does.
         FewPlaces { places: usize, least: usize },
         /// Few matches took part, or few of the points were matched: as many agree on the geometry of a repeated pattern.
@@ -194,6 +199,8 @@ impl Warning {
             | Self::Clustered { .. }
             | Self::Rotation { .. }
             | Self::FocalLength { .. }
+            | Self::UncheckedFocal { .. }
+            | Self::Unchecked { .. }
             | Self::FewPlaces { .. }
             | Self::FewMatches { .. }
             | Self::FewAgree { .. }
@@ -236,7 +243,8 @@ pub struct RelativeOrientation {
     /// share. They are no less than the others; absent where neither is known.
     pub total_standard_errors: Option<FiveParameters>,
     /// Half-widths of the intervals in which the unknowns lie with a probability of 95 %: the total standard errors, or the others where these are
-    /// absent, times the limit of Student's distribution for the degrees of freedom of σ₀ (1.96 of one that is known).
+    /// absent, times the limit of Student's distribution: for the degrees of freedom of σ₀, and of the σ₀ of the fiducial marks as far as their errors
+    /// count (Welch and Satterthwaite); 1.96 where all are known.
     pub half_widths_95: Option<FiveParameters>,
     /// Standard error of one photo coordinate of weight 1 in mm (a y-parallax has √2 of it), from the residuals, made consistent where the
     /// rejection has cut their distribution; absent without redundancy.

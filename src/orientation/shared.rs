@@ -7,4 +7,6 @@ pub struct SharedErrors {
     pub effects: Vec<[[f64; 4]; 3]>,
     /// Covariance of the causes.
     pub covariance: [[f64; 3]; 3],
+    /// Degrees of freedom of the σ₀ by which the covariance is; absent where that is known.
+    pub degrees_of_freedom: Option<usize>,
 }

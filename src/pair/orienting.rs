@@ -81,7 +81,7 @@ fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &Orientat
     check_precision(&found, interior.left.pixel_mm(), options)?;
     if !self_calibration::is_calibrated(interior) {
         // The intervals hold what is not known of the focal length.
-        found.warnings.retain(|warning| !matches!(warning, Warning::FocalLength { .. }));
+        found.warnings.retain(|warning| !matches!(warning, Warning::FocalLength { .. } | Warning::UncheckedFocal { .. }));
     }
     Ok(found)
 }
@@ -229,10 +229,11 @@ fn check_precision(found: &RelativeOrientation, pixel_mm: f64, options: &Orienta
 /// act by column, row and 1 on the coordinate that the row gives. Distortion changes that by less than a hundredth.
 fn interior_errors(positions: &[[f64; 4]], interior: &PairInterior) -> Vec<SharedErrors> {
     let (Some(left), Some(right)) = (interior.left.covariance, interior.right.covariance) else { return Vec::new() };
+    let freedom = [interior.left.degrees_of_freedom, interior.right.degrees_of_freedom];
     let group = |coordinate: usize, covariance: [[f64; 3]; 3]| {
         let side = coordinate / 2 * 2;
         let effect = |m: &[f64; 4]| [m[side], m[side + 1], 1.0].map(|by| std::array::from_fn(|k| if k == coordinate { by } else { 0.0 }));
-        SharedErrors { effects: positions.iter().map(effect).collect(), covariance }
+        SharedErrors { effects: positions.iter().map(effect).collect(), covariance, degrees_of_freedom: freedom[coordinate / 2] }
     };
     [(0, left), (1, left), (2, right), (3, right)].map(|(coordinate, covariance)| group(coordinate, covariance)).into()
 }

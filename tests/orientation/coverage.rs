@@ -6,7 +6,7 @@
 use super::super::sampling::runs;
 use super::calibration::displace;
 use super::scene::{Dice, FOCAL_MM, NADIR, Pair, standard_errors};
-use tiepoint::{FiveParameters, Observation, OrientationOptions, RelativeOrientation, orient_relative};
+use tiepoint::{FiveParameters, Observation, OrientationOptions, RelativeOrientation, Warning, orient_relative};
 
 const SIGMA_MM: f64 = 0.005;
 const SETS: u64 = 10_000;
@@ -60,6 +60,8 @@ impl Gross {
 struct Tally {
     sets: u64,
     refused: usize,
+    /// Of those oriented: nothing checks their observations, as a warning says.
+    unchecked: usize,
     oriented: usize,
     covered: usize,
     far: usize,
@@ -94,6 +96,7 @@ impl Tally {
         let (errors, half) = (pair.errors(found), five(found.half_widths_95.expect("there is redundancy")));
         let standard = standard_errors(found);
         self.oriented += 1;
+        self.unchecked += usize::from(found.warnings.iter().any(|warning| matches!(warning, Warning::Unchecked { .. })));
         self.covered += (0..5).filter(|k| errors[*k].abs() <= half[*k]).count();
         self.far += usize::from((0..5).any(|k| errors[k].abs() > FAR * standard[k]));
         self.rejected += found.rejected.len();
@@ -112,11 +115,12 @@ impl Tally {
     fn print(&self, what: &str) {
         let oriented = self.oriented as f64;
         println!(
-            "intervals, {what}: {:.1} % hold the truth, refused or so {:.1} %; {} refused and {} beyond 10 standard errors of {} sets; σ₀² {:.3} \
+            "intervals, {what}: {:.1} % hold the truth, refused or so {:.1} %; {} refused, {} not checked, and {} beyond 10 standard errors of {} sets; σ₀² {:.3} \
              of the true, {:.2} rejected",
             100.0 * self.covered(),
             100.0 * self.refused_or_covered(),
             self.refused,
+            self.unchecked,
             self.far,
             self.sets,
             self.variance / oriented,

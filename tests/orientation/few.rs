@@ -36,6 +36,10 @@ fn clean_observations_give_plain_least_squares_digit_for_digit() {
 fn six_points_are_never_rejected_and_nothing_is_detectable() {
     let found = oriented(&NADIR.observe(6, SIGMA_MM, 3), &NADIR.options());
     assert_eq!((found.rejected.len(), found.degrees_of_freedom, found.noncentrality), (0, 1, None));
+    assert_eq!(found.warnings, [Warning::Unchecked { observations: 6 }]);
+    // A σ₀ that is known tells a gross error from noise.
+    let known = OrientationOptions { sigma0_mm: Some(SIGMA_MM), ..NADIR.options() };
+    assert_eq!(oriented(&NADIR.observe(6, SIGMA_MM, 3), &known).warnings, []);
     assert!(found.points.iter().flatten().all(|p| p.detectable_mm.is_infinite() && p.influence.is_infinite()));
     // 12.706: Student's limit of one degree of freedom.
     assert!((found.half_widths_95.unwrap().kappa_deg / found.standard_errors.unwrap().kappa_deg - 12.7062).abs() < 1e-4);

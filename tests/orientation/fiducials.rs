@@ -1,59 +1,67 @@
 //! The total standard errors: what errors of measured fiducial marks do to an orientation, against many measurements of the marks.
 
+use super::super::sampling::runs;
 use super::scene::{Dice, FOCAL_MM, NADIR};
 use tiepoint::{
-    CameraMm, CameraUncertainty, ErrorModel, Fiducial, FiducialModel, Interior, Match, OrientationOptions, PairInterior, orient_fiducials,
-    orient_matches, orient_relative_with,
+    CameraMm, CameraUncertainty, ErrorModel, Fiducial, FiducialModel, FiveParameters, Interior, Match, OrientationOptions, PairInterior,
+    RelativeOrientation, orient_fiducials, orient_matches, orient_relative_with,
 };
 
 const PIXEL_MM: f64 = 0.254;
 const CENTRE_PX: f64 = 455.0;
 
-/// Marks at the sides and corners, measured with an error.
-fn interior(dice: &mut Dice, sigma_px: f64) -> Interior {
+fn five(p: FiveParameters) -> [f64; 5] {
+    [p.omega_deg, p.phi_deg, p.kappa_deg, p.by_mm, p.bz_mm]
+}
+
+/// Marks at the corners and, of eight, at the sides, measured with an error.
+fn interior(dice: &mut Dice, sigma_px: f64, marks: usize) -> Interior {
     let places = [[-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.06, 0.0], [1.06, 0.0], [0.0, 1.06], [0.0, -1.06]];
     let mark = |[x, y]: [f64; 2]| {
         let (x_mm, y_mm) = (106.0 * x, 106.0 * y);
         let (col, row) = (CENTRE_PX + x_mm / PIXEL_MM, CENTRE_PX - y_mm / PIXEL_MM);
         Fiducial { col: col - 300.0 + sigma_px * dice.normal(), row: row - 100.0 + sigma_px * dice.normal(), x_mm, y_mm }
     };
-    let marks = places.map(mark);
+    let marks: Vec<_> = places[..marks].iter().copied().map(mark).collect();
     let camera = CameraMm::without_distortion(FOCAL_MM, None);
     // The origin takes the covariance from the scan to the patch.
     Interior::from_fiducials(&camera, &orient_fiducials(&marks, FiducialModel::Affine).unwrap(), [-300.0, -100.0]).unwrap()
 }
 
+/// The orientation of so many points of this precision, whose photos have so many measured marks.
+fn with_marks(set: u64, marks: usize, (points, sigma_mm): (usize, f64)) -> RelativeOrientation {
+    let mut dice = Dice::new(50_000 + set);
+    let interior = PairInterior {
+        left: interior(&mut dice, 0.12, marks),
+        right: interior(&mut dice, 0.12, marks),
+        focal_mm: FOCAL_MM,
+        doubt: None,
+        one_lens: false,
+        are_scans: true,
+    };
+    let px = |[x, y]: [f64; 2]| [CENTRE_PX + x / PIXEL_MM, CENTRE_PX - y / PIXEL_MM];
+    let seen = NADIR.observe(points, sigma_mm, 60_000 + set);
+    let matched = seen.iter().enumerate().map(|(left, o)| Match {
+        left,
+        right: None,
+        left_px: px(o.left),
+        right_px: px(o.right),
+        measure: 0.0,
+        fit: None,
+    });
+    let options = OrientationOptions { base_mm: Some(92.0), ..OrientationOptions::default() };
+    orient_matches(&matched.collect::<Vec<_>>(), &interior, &options).unwrap()
+}
+
 #[test]
 fn total_standard_errors_hold_those_of_the_marks() {
-    const SETS: usize = 400;
-    let sigma_mm = 0.02;
+    const SETS: u64 = 400;
     let (mut with, mut without) = ([0.0; 5], [0.0; 5]);
     for set in 0..SETS {
-        let mut dice = Dice::new(50_000 + set as u64);
-        let interior = PairInterior {
-            left: interior(&mut dice, 0.12),
-            right: interior(&mut dice, 0.12),
-            focal_mm: FOCAL_MM,
-            doubt: None,
-            one_lens: false,
-            are_scans: true,
-        };
-        let px = |[x, y]: [f64; 2]| [CENTRE_PX + x / PIXEL_MM, CENTRE_PX - y / PIXEL_MM];
-        let seen = NADIR.observe(300, sigma_mm, 60_000 + set as u64);
-        let matched = seen.iter().enumerate().map(|(left, o)| Match {
-            left,
-            right: None,
-            left_px: px(o.left),
-            right_px: px(o.right),
-            measure: 0.0,
-            fit: None,
-        });
-        let options = OrientationOptions { base_mm: Some(92.0), ..OrientationOptions::default() };
-        let found = orient_matches(&matched.collect::<Vec<_>>(), &interior, &options).unwrap();
+        let found = with_marks(set, 8, (300, 0.02));
         let errors = NADIR.errors(&found);
         for (sums, standard) in [(&mut with, found.total_standard_errors.unwrap()), (&mut without, found.standard_errors.unwrap())] {
-            let standard = [standard.omega_deg, standard.phi_deg, standard.kappa_deg, standard.by_mm, standard.bz_mm];
-            sums.iter_mut().zip(errors).zip(standard).for_each(|((sum, error), s)| *sum += (error / s) * (error / s) / SETS as f64);
+            sums.iter_mut().zip(errors).zip(five(standard)).for_each(|((sum, error), s)| *sum += (error / s) * (error / s) / SETS as f64);
         }
     }
     println!(
@@ -63,6 +71,28 @@ fn total_standard_errors_hold_those_of_the_marks() {
     // The errors that matches share, which these do not, lower it where the marks matter least.
     assert!(with.iter().all(|v| (0.7..1.45).contains(v)), "{with:?}");
     assert!(without[2] > 2.0 && without[4] > 1.5, "{without:?}");
+}
+
+#[test]
+fn intervals_hold_the_truth_where_few_marks_tell_how_well_they_are_measured() {
+    let all = runs(6000);
+    for marks in [4, 8] {
+        let mut covered = [0; 5];
+        for set in 0..all {
+            let found = with_marks(set, marks, (80, 0.002));
+            let errors = NADIR.errors(&found);
+            covered
+                .iter_mut()
+                .zip(errors)
+                .zip(five(found.half_widths_95.unwrap()))
+                .for_each(|((n, e), half)| *n += u32::from(e.abs() <= half));
+        }
+        let shares = covered.map(|n| f64::from(n) / all as f64);
+        println!("intervals of 95 % that hold the truth, {marks} marks measured in each photo, {all} sets: {shares:.3?}");
+        // κ, by and bz are hardly known but for the errors of the marks.
+        let scatter = 4.0 * (0.05 * 0.95 / all as f64).sqrt();
+        assert!(shares[2..].iter().all(|share| (0.93 - scatter..0.97 + scatter).contains(share)), "{marks}: {shares:?}");
+    }
 }
 
 #[test]
@@ -87,7 +117,6 @@ fn neighbours_never_make_an_orientation_more_precise_than_independent_observatio
     let mut larger = 0;
     for seed in 0..20 {
         let found = orient_relative_with(&NADIR.observe(400, 0.02, 300 + seed), &errors, FOCAL_MM, &NADIR.options()).unwrap();
-        let five = |e: tiepoint::FiveParameters| [e.omega_deg, e.phi_deg, e.kappa_deg, e.by_mm, e.bz_mm];
         let (alone, total) = (five(found.standard_errors.unwrap()), five(found.total_standard_errors.unwrap()));
         assert!(alone.iter().zip(total).all(|(alone, total)| total >= *alone), "{seed}: {alone:?} {total:?}");
         // Errors that are independent seem to depend on each other by the chance of few groups alone.

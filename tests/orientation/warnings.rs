@@ -47,6 +47,27 @@ fn points_in_a_corner_are_clustered() {
 }
 
 #[test]
+fn a_focal_length_that_nothing_checks_is_said_and_one_that_relief_checks_is_not() {
+    let seen = |pair: &Pair, seed: u64, within_mm: f64| -> Vec<Observation> {
+        let is_near = |o: &Observation| o.left.iter().chain(&o.right).all(|v| v.abs() < within_mm);
+        pair.observe(4000, SIGMA_MM, seed).into_iter().filter(is_near).collect()
+    };
+    let unchecked = |observations: &[Observation], factor: f64| {
+        let found = orient_relative(observations, factor * FOCAL_MM, &NADIR.options()).unwrap();
+        println!("{:.0} {:.3} {:?}", found.condition, found.spread, found.warnings);
+        found.warnings.iter().any(|w| matches!(w, Warning::UncheckedFocal { .. }))
+    };
+    let level = Pair { base: [30.0, 0.4, -0.2], relief: 0.01, ..NADIR };
+    let hills = Pair { relief: 0.2, ..level };
+    for seed in 0..5 {
+        // Three times too long a focal length, of a level ground; the right one of the same view is checked by what it sees.
+        assert!(unchecked(&seen(&level, seed, 60.0), 3.0), "{seed}");
+        assert!(!unchecked(&seen(&level, seed, 60.0), 1.0), "{seed}");
+        assert!(!unchecked(&seen(&hills, seed, 30.0), 1.0), "{seed}");
+    }
+}
+
+#[test]
 fn a_critical_cylinder_is_told_by_the_condition() {
     // Points on a circular cylinder along the base that holds both projection centres (Finsterwalder's critical cylinder).
     let mut dice = Dice::new(5);

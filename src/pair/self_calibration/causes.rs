@@ -8,6 +8,7 @@ pub fn in_threes(observations: usize, causes: usize, of: impl Fn(usize, usize) -
     let group = |first: usize| SharedErrors {
         effects: (0..observations).map(|index| std::array::from_fn(|k| effect(index, first + k))).collect(),
         covariance: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        degrees_of_freedom: None,
     };
     (0..causes).step_by(3).map(group).collect()
 }
