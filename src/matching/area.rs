@@ -1,11 +1,12 @@
 //! The strategies that compare grey values: the right place of a left point is searched in the right image itself.
 
 use super::coarse_to_fine::CoarseToFine;
-use super::cross_correlation::{CrossCorrelation, SearchArea};
+use super::cross_correlation::CrossCorrelation;
 use super::fit::{Fit as Found, LeastSquaresOptions, Refusal};
 use super::positions::check_positions;
 use super::region::Region;
 use super::rules::judge;
+use super::search_area::SearchArea;
 use super::surface::{Peak, Surface};
 use super::{Expectation, Fit, MatchImage, MatchOptions, MatchSet, Rule, Verdict};
 use crate::{Error, GreyImage, GreyView, Input, halve};

@@ -1,8 +1,9 @@
 //! Least-squares matching from a poor start: cross-correlation on a small image, then level by level down to the whole one.
 
-use super::cross_correlation::{CrossCorrelation, SearchArea};
+use super::cross_correlation::CrossCorrelation;
 use super::fit::{Fit, LeastSquaresOptions, Refusal};
 use super::least_squares::LeastSquares;
+use super::search_area::SearchArea;
 use crate::GreyImage;
 
 /// Px that the position may move on a level below the coarsest: what one pixel of the level above leaves open, and some more.

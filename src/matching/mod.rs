@@ -27,6 +27,7 @@ mod region;
 mod rules;
 mod scaled;
 mod search;
+mod search_area;
 mod spline;
 mod strategy;
 mod surface;

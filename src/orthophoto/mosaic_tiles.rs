@@ -1,6 +1,7 @@
 //! The tiles of a mosaic while images are laid on it: each is held from the first image that reaches it to the last one.
 
-use super::tiled_file::{Samples, TILE, TiledFile};
+use super::samples::Samples;
+use super::tiled_file::{TILE, TiledFile};
 use crate::Error;
 use std::collections::BTreeMap;
 use std::io::{Seek, Write};

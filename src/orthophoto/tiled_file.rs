@@ -1,6 +1,8 @@
 //! GeoTIFF files that are written tile by tile, in any order: none is in memory as a whole. Pictures get smaller ones of themselves (overviews), so that
 //! a large one is looked at as a whole without all of it being read.
 
+use super::samples::{Samples, mean_of_shown};
+use super::tiff_field::Field;
 use crate::Georeference;
 use crate::georeferenced::{
     KEYS, LINEAR_UNIT, MODEL_TYPE, NO_DATA, PIXEL_SCALE, PROJECTED, PROJECTED_SYSTEM, RASTER_TYPE, TIE_POINTS, TRANSFORMATION, unit_code,
@@ -16,43 +18,6 @@ pub(super) const TILE: usize = 512;
 /// Pictures of more bytes, which have a third more with their overviews, are BigTIFF, whose places have 64 bits.
 const MOST_BYTES: u64 = 3_000_000_000;
 const PIXEL_IS_AREA: u16 = 1;
-
-/// What stands in a pixel.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Samples {
-    /// Bytes of one band or of three, side by side; 0 stands for nothing.
-    Bytes(usize),
-    /// A number of 32 bits, the lowest byte first; NaN stands for nothing.
-    Float,
-}
-
-impl Samples {
-    /// Bytes of a pixel.
-    pub fn bytes(self) -> usize {
-        match self {
-            Self::Bytes(bands) => bands,
-            Self::Float => 4,
-        }
-    }
-
-    /// So many pixels that show nothing.
-    fn nothing(self, pixels: usize) -> Vec<u8> {
-        match self {
-            Self::Bytes(bands) => vec![0; pixels * bands],
-            Self::Float => f32::NAN.to_le_bytes().repeat(pixels),
-        }
-    }
-}
-
-/// The mean of those of four pixels that show something.
-fn mean_of_shown(pixels: [&[u8]; 4], into: &mut [u8]) {
-    let shown = || pixels.iter().filter(|pixel| pixel.iter().any(|value| *value != 0));
-    let number = shown().count() as u32;
-    for (band, mean) in into.iter_mut().enumerate().filter(|_| number > 0) {
-        let sum: u32 = shown().map(|pixel| u32::from(pixel[band])).sum();
-        *mean = ((sum + number / 2) / number) as u8;
-    }
-}
 
 /// A file that is being written. Tiles are packed by Deflate as they come; its directories come last.
 pub(super) struct TiledFile {
@@ -84,15 +49,6 @@ impl Level {
         let [across, down] = size.map(|length| length.div_ceil(side));
         Self { size, across, tiles: vec![None; across * down], begun: BTreeMap::new() }
     }
-}
-
-/// A field of a directory.
-enum Field {
-    Text(&'static str),
-    Shorts(Vec<u16>),
-    Longs(Vec<u32>),
-    Places(Vec<u64>),
-    Doubles(Vec<f64>),
 }
 
 impl TiledFile {
@@ -320,19 +276,6 @@ impl TiledFile {
         fields.push((KEYS, Field::Shorts([&[head], keys.as_slice()].concat().concat())));
         fields.push((NO_DATA, Field::Text(no_data)));
         fields
-    }
-}
-
-impl Field {
-    /// Its kind, the number of its values, and these.
-    fn encoded(&self) -> (u16, usize, Vec<u8>) {
-        match self {
-            Self::Text(text) => (2, text.len() + 1, [text.as_bytes(), b"\0"].concat()),
-            Self::Shorts(values) => (3, values.len(), values.iter().flat_map(|value| value.to_le_bytes()).collect()),
-            Self::Longs(values) => (4, values.len(), values.iter().flat_map(|value| value.to_le_bytes()).collect()),
-            Self::Places(values) => (16, values.len(), values.iter().flat_map(|value| value.to_le_bytes()).collect()),
-            Self::Doubles(values) => (12, values.len(), values.iter().flat_map(|value| value.to_le_bytes()).collect()),
-        }
     }
 }
 

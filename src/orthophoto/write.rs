@@ -2,7 +2,8 @@
 
 use super::heights::HeightModel;
 use super::rectify::Rectified;
-use super::tiled_file::{Samples, TiledFile};
+use super::samples::Samples;
+use super::tiled_file::TiledFile;
 use crate::Georeference;
 use crate::{Error, GreyImage};
 use std::io::Cursor;
