@@ -5,9 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use tiepoint::{
-    BlockFlight, BlockRun, BlockScene, BlockSettings, ControlTexts, Error, Failure, FileNeeded, MultiscaleOptions, News, PairChoice,
-    PairOutcome, PairRule, RefinementMethod, RefinementOutcome, Run, RunInput, StageName, Step, digest, execute, images_in, run_block,
-    write_block_project,
+    BlockFlight, BlockRun, BlockScene, BlockSettings, BlockVerdict, ControlTexts, Error, Failure, FileNeeded, MultiscaleOptions, News,
+    OverviewWarning, PairChoice, PairOutcome, PairRule, RefinementMethod, RefinementOutcome, Run, RunInput, StageName, Step, digest,
+    execute, images_in, run_block, write_block_project,
 };
 
 /// A folder of its own for a test.
@@ -245,6 +245,32 @@ fn what_no_run_can_be_is_refused_before_anything_is_computed() {
     let alone = Path::new("none.png").to_path_buf();
     let error = run_block(&[alone], &[], RunInput::default(), &folder("none"), 1, |_| {}).unwrap_err().to_string();
     assert!(error.starts_with("images of the block: got 0 that could be read, of 1 (none.png: "), "{error}");
+}
+
+#[test]
+fn two_images_that_few_matches_join_are_weak_as_a_pair_is_and_a_third_image_checks_them() {
+    let of = |number: usize| {
+        let folder = folder(&format!("few{number}"));
+        let paths: Vec<PathBuf> = photos().keys().take(number).map(|name| folder.join(name)).collect();
+        for (path, bytes) in paths.iter().zip(photos().values()) {
+            fs::write(path, bytes).unwrap();
+        }
+        run_block(&paths, &[], options(), &folder.join("work"), 2, drop).unwrap()
+    };
+    let judged = |mut run: BlockRun, joined: u32| {
+        run.images.iter_mut().for_each(|image| image.features = Some(8000));
+        run.connections.iter_mut().for_each(|pair| pair.outcome = PairOutcome::Connected { matches: joined });
+        BlockVerdict::of(&run)
+    };
+    let (two, three) = (of(2), of(3));
+    let weak = judged(two.clone(), 279);
+    let BlockVerdict::Weak { overview_warning: OverviewWarning::FewMatches { matches: 279, least: 280 }, .. } = weak else {
+        panic!("{weak}")
+    };
+    assert_eq!(weak.to_string().matches("Only 279 matches").count(), 1, "{weak}");
+    for enough in [judged(two, 280), judged(three, 279)] {
+        assert!(!matches!(enough, BlockVerdict::Weak { overview_warning: OverviewWarning::FewMatches { .. }, .. }), "{enough}");
+    }
 }
 
 #[test]

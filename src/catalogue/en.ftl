@@ -1018,6 +1018,7 @@ overview-warning-few-oriented = More than a fifth of the images could not be ori
 overview-warning-apart = { $images } images are oriented apart from the others, in a model of their own.
 overview-warning-not-on-orthophoto = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
 overview-warning-focal-apart = With the orthophoto the focal length of { $label } is { FIXED($estimated_px, digits: 1) } px where { FIXED($prior_px, digits: 1) } px was known, { FIXED($apart, digits: 1) } standard deviations of that apart: check the camera, the heights and their unit.
+overview-warning-few-matches = Only { $matches } matches join the two images; as many may agree on a repeated pattern, at least { $least } are sound.
 overview-warning-none-oriented = No image could be oriented.
 overview-warning-doubtful-camera = A camera is hardly the right one ({ $remark }).
 overview-warning-failed = No image could be oriented: { $failure }.

@@ -2,7 +2,8 @@
 
 use crate::camera::apart_from_known;
 use crate::message::messages;
-use crate::{BlockRun, BlockWarning, Failure, NotLinked, OnOrthophoto, Remark};
+use crate::pair::least_matches;
+use crate::{BlockRun, BlockWarning, Connection, Failure, NotLinked, OnOrthophoto, PairOutcome, ReconstructedModel, Remark};
 use serde::Serialize;
 
 messages! {
@@ -18,6 +19,8 @@ messages! {
         /// Images in a model of their own.
         Apart { images: usize },
         NoneOriented,
+        /// Two images alone are oriented, by few matches of their points: as many agree on the geometry of a repeated pattern, and no third image checks it.
+        FewMatches { matches: usize, least: usize },
         /// Of a camera whose focal length came out otherwise, with the orthophoto and its heights, than what was known of it: so many standard deviations of
         /// that apart.
         FocalApart { label: String, estimated_px: f64, prior_px: f64, apart: f64 },
@@ -38,6 +41,7 @@ impl OverviewWarning {
             Self::Apart { .. } => false,
             Self::FewOriented { .. }
             | Self::NotOnOrthophoto { .. }
+            | Self::FewMatches { .. }
             | Self::FocalApart { .. }
             | Self::DoubtfulCamera { .. }
             | Self::NoneOriented
@@ -58,7 +62,9 @@ pub(super) fn overview_warnings(run: &BlockRun) -> Vec<OverviewWarning> {
         Ok(assembly) => match assembly.models.split_first() {
             Some((first, others)) => {
                 let own = first.warnings.iter().cloned().map(|block_warning| OverviewWarning::Model { block_warning });
-                own.chain(others.iter().map(|model| OverviewWarning::Apart { images: model.images.len() })).collect()
+                own.chain(few_matches(run, first))
+                    .chain(others.iter().map(|model| OverviewWarning::Apart { images: model.images.len() }))
+                    .collect()
             }
             // A project of version 1 has oriented images, and nothing of their adjustment.
             None if run.model.images.iter().any(|image| image.pose.is_some()) => Vec::new(),
@@ -66,6 +72,16 @@ pub(super) fn overview_warnings(run: &BlockRun) -> Vec<OverviewWarning> {
         },
     };
     without.into_iter().chain(found).chain(focals_apart(run)).collect()
+}
+
+/// Two images are judged as a pair is.
+fn few_matches(run: &BlockRun, model: &ReconstructedModel) -> Option<OverviewWarning> {
+    let &[one, other] = model.images.as_slice() else { return None };
+    let joins = |pair: &&Connection| pair.images.map(|image| image as usize) == [one.min(other), one.max(other)];
+    let PairOutcome::Connected { matches } = run.connections.iter().find(joins)?.outcome else { return None };
+    let points = [run.images.get(one)?.features?, run.images.get(other)?.features?];
+    let (matches, least) = (matches as usize, least_matches(points.map(|number| number as usize)));
+    (matches < least).then_some(OverviewWarning::FewMatches { matches, least })
 }
 
 /// Cameras of a block on an orthophoto that contradict what was known of them: as single images placed on it do, for wrong heights, or another unit of them.

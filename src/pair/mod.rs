@@ -36,5 +36,5 @@ pub use rounds::{PairMatching, match_in_rounds};
 pub use settings::PairSettings;
 pub use verdict::{KnownWorst, PairVerdict};
 pub use verification::{FeatureMatchOptions, VerifiedMatches, match_features};
-pub(crate) use weakness::LARGEST_SIGMA0_PX;
 pub use weakness::judged;
+pub(crate) use weakness::{LARGEST_SIGMA0_PX, least_matches};

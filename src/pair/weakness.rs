@@ -68,7 +68,7 @@ pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInte
 }
 
 /// The least number of matches by which a pair with so many points is oriented.
-pub(super) fn least_matches([left, right]: [usize; 2]) -> usize {
+pub(crate) fn least_matches([left, right]: [usize; 2]) -> usize {
     LEAST_MATCHES.max((LEAST_MATCHED * left.min(right) as f64).ceil() as usize)
 }
 
