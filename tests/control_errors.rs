@@ -2,6 +2,7 @@
 
 use super::flown::{adjusted, control, flown, place, refused};
 use super::normal::Normal;
+use super::sampling::cases;
 use super::scene::{Scene, scene};
 use super::surveyed::surveyed;
 use tiepoint::{Axis, BlockFlight, BlockWarning, ControlRole, GroundControlPoint, Mistake, ObservedPosition, ReconstructedModel};
@@ -276,7 +277,8 @@ fn one_wrong_of_four_control_points_is_seldom_silent() {
     let model = adjusted(&clean);
     assert!(!is_said(&model), "{:?}", model.warnings);
     let (mut largest, mut silent) = (0.0_f64, Vec::new());
-    for (point, axis) in [(0, 0), (0, 2), (1, 0), (1, 2), (3, 0), (3, 2)] {
+    let coordinates = cases(&[(0, 0), (1, 2), (3, 0), (0, 2), (1, 0), (3, 2)], 3);
+    for &(point, axis) in coordinates {
         let detectable = detectable(&model, &clean.description.control[point].name, axis);
         for error in [1.5 * detectable, 3.0 * detectable, 100.0] {
             let wrong = with_errors(&clean, &[(point, axis, error)]);
@@ -296,7 +298,7 @@ fn one_wrong_of_four_control_points_is_seldom_silent() {
     println!("silent: {silent:?}");
     assert!(largest > 6.0, "{largest}");
     // Now and then image measurements of other points are rejected in place of a small error.
-    assert!(silent.len() < 3 && silent.iter().all(|(.., times)| *times < 4.0), "{silent:?}");
+    assert!(2 * silent.len() < coordinates.len() && silent.iter().all(|(.., times)| *times < 4.0), "{silent:?}");
 }
 
 #[test]
@@ -338,7 +340,7 @@ fn two_wrong_of_five_control_points_are_not_used_without_a_word() {
 
 #[test]
 fn a_wrong_control_point_accuses_no_neighbour() {
-    for control in [5, 6, 7] {
+    for &control in cases(&[5, 7, 6], 2) {
         let clean = spread(control);
         for (axis, error) in [(0, 50.0), (2, 50.0), (0, 8.0)] {
             let model = with_errors(&clean, &[(0, axis, error)]);

@@ -3,6 +3,7 @@
 #[path = "geometry/scene.rs"]
 mod scene;
 
+use super::sampling::runs;
 use nalgebra::{Matrix3, Vector3};
 use scene::{CONVERGENT, FLAT, FOCAL, RELIEF, SIZE, Scene, TOWN, TURNED, cameras};
 use tiepoint::{
@@ -178,7 +179,7 @@ fn the_focal_length_does_not_depend_on_where_positions_count_from() {
 
 #[test]
 fn matches_that_are_all_wrong_have_no_geometry() {
-    for seed in 0..30 {
+    for seed in 0..runs(30) {
         for count in [30, 100] {
             let strangers = RELIEF.matches(count, SIGMA_PX, 1.0, 1000 + seed);
             for options in [cameras(Some(FOCAL)), cameras(None)] {

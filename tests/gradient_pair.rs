@@ -1,6 +1,6 @@
 //! Photos of any rotation and direction of flight, matched by gradients with and without a known camera.
 
-use super::known::input;
+use super::known::{self, input};
 use image::ImageEncoder;
 use tiepoint::{
     CameraMm, DecodeLimits, Degeneracy, Expectation, Flight, GreyImage, NoOrientation, OffsetField, Operator, PairImage, PairInput,
@@ -50,7 +50,7 @@ fn matched(left: &GreyImage, right: &GreyImage, input: &PairInput, settings: &Pa
 
 #[test]
 fn a_quarter_turn_of_one_photo_changes_little() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let sample = known::sample();
     let plain = matched(&sample.left, &sample.right, &PairInput::default(), &settings());
     let other = matched(&sample.left, &turned(&sample.right), &PairInput::default(), &settings());
     let count = |result: &PairResult| result.matching.matches.len();
@@ -70,10 +70,10 @@ fn a_quarter_turn_of_one_photo_changes_little() {
 
 #[test]
 fn a_base_along_y_is_oriented_in_turned_axes() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
-    let along_x = matched(&sample.left, &sample.right, &input(&sample), &settings());
+    let sample = known::sample();
+    let along_x = matched(&sample.left, &sample.right, &input(sample), &settings());
     // Both photos turned: marks and origins with them. A clockwise quarter turn takes (col, row) to (height - row, col).
-    let mut across = input(&sample);
+    let mut across = input(sample);
     for (photo, image) in [(&mut across.left, &sample.left), (&mut across.right, &sample.right)] {
         let [col, row] = photo.origin.unwrap();
         let height = image.height() as f64 + row;
@@ -97,15 +97,15 @@ fn a_base_along_y_is_oriented_in_turned_axes() {
 
 #[test]
 fn one_photo_is_named_however_it_was_saved() {
-    let photo = sample_pair(SAMPLE_SEED).unwrap().left;
+    let photo = &known::sample().left;
     let (one, parts) = (NoOrientation::OnePhoto, NoOrientation::PartsOfOneImage);
     for (name, right, expected) in [
-        ("compressed", saved_again(&photo, 30), &one),
-        ("halved", saved_again(&halved(&photo), 90), &one),
-        ("turned", saved_again(&turned(&photo), 75), &one),
-        ("cropped", saved_again(&cropped(&photo), 85), &parts),
+        ("compressed", saved_again(photo, 30), &one),
+        ("halved", saved_again(&halved(photo), 90), &one),
+        ("turned", saved_again(&turned(photo), 75), &one),
+        ("cropped", saved_again(&cropped(photo), 85), &parts),
     ] {
-        let result = matched(&photo, &right, &PairInput::default(), &settings());
+        let result = matched(photo, &right, &PairInput::default(), &settings());
         assert_eq!(result.orientation.as_ref().err(), Some(expected), "{name}: {}", result.verdict());
     }
 }
@@ -141,11 +141,11 @@ fn level_photos_of_flat_ground_are_not_called_parts_of_one_image() {
 
 #[test]
 fn every_operator_can_be_described_by_gradients() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let sample = known::sample();
     for operator in [Operator::Ground2, Operator::Forstner] {
         let mut settings = settings();
         settings.points = PointOptions { operator: Some(operator), ..PointOptions::default() };
-        let result = matched(&sample.left, &sample.right, &input(&sample), &settings);
+        let result = matched(&sample.left, &sample.right, &input(sample), &settings);
         assert_eq!(result.left.frames.len(), result.left.points.len());
         assert!(result.matching.matches.len() > 500 && result.orientation.is_ok(), "{operator:?}: {:?}", result.matching.counts);
     }
@@ -153,7 +153,7 @@ fn every_operator_can_be_described_by_gradients() {
 
 #[test]
 fn an_image_and_itself_differ_by_a_rotation_alone() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let sample = known::sample();
     let camera = CameraMm::without_distortion(150.0, Some(0.1));
     let result = matched(&sample.left, &turned(&sample.left), &PairInput { camera: Some(camera), ..PairInput::default() }, &settings());
     let geometry = result.geometry.unwrap().unwrap();
@@ -164,8 +164,8 @@ fn an_image_and_itself_differ_by_a_rotation_alone() {
 
 #[test]
 fn different_grounds_are_not_matched_and_the_reason_is_reported() {
-    let (one, other) = (sample_pair(SAMPLE_SEED).unwrap(), sample_pair(SAMPLE_SEED + 1).unwrap());
-    let result = matched(&one.left, &other.right, &input(&one), &settings());
+    let (one, other) = (known::sample(), sample_pair(SAMPLE_SEED + 1).unwrap());
+    let result = matched(&one.left, &other.right, &input(one), &settings());
     assert!(result.matching.matches.is_empty());
     assert!(result.geometry.unwrap().unwrap_err().to_string().contains("by chance"));
     assert!(result.orientation.is_err());
@@ -174,7 +174,7 @@ fn different_grounds_are_not_matched_and_the_reason_is_reported() {
 
 #[test]
 fn points_under_a_mask_are_left_out() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let sample = known::sample();
     let half = GreyImage::from_fn(sample.left.width(), sample.left.height(), |col, _| if col < sample.left.width() / 2 { 0 } else { 255 })
         .unwrap();
     let small = GreyImage::from_fn(20, 20, |_, _| 255).unwrap();
@@ -196,7 +196,7 @@ fn points_under_a_mask_are_left_out() {
 
 #[test]
 fn refinement_follows_a_quarter_turn() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let sample = known::sample();
     let mut settings = settings();
     settings.matching.refine = Some(Refinement::LeastSquares);
     let result = matched(&sample.left, &turned(&sample.right), &PairInput::default(), &settings);
@@ -206,7 +206,7 @@ fn refinement_follows_a_quarter_turn() {
 
 #[test]
 fn nearest_neighbours_found_in_pieces_give_the_same_matches() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let sample = known::sample();
     let mut settings = settings();
     settings.multiscale.number = 1500;
     let [left, right] = [&sample.left, &sample.right].map(|image| describe_image(image.view(), None, &settings).unwrap());
@@ -253,7 +253,7 @@ fn framed(image: &GreyImage, shift: [usize; 2]) -> GreyImage {
 
 #[test]
 fn film_borders_do_not_match() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let sample = known::sample();
     // The ground moves by 100 px from one frame to the other.
     let width = sample.left.width();
     let pictures = [columns(&sample.left, 100, width), columns(&sample.right, 0, width - 100)];
@@ -277,11 +277,11 @@ fn film_borders_do_not_match() {
 
 #[test]
 fn an_upside_down_pair_is_not_oriented_by_wrong_matches_of_moments() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let sample = known::sample();
     let right = turned(&turned(&sample.right));
     let mut by_moments = PairSettings::default();
     by_moments.matching.strategy = Strategy::Moments;
-    let result = matched(&sample.left, &right, &input(&sample), &by_moments);
+    let result = matched(&sample.left, &right, &input(sample), &by_moments);
     assert!(result.matching.matches.len() > 20, "no wrong matches: the test shows nothing");
     let reason = result.orientation.unwrap_err().to_string();
     assert!(reason.contains("σ0 is") && reason.contains("the matches are wrong"), "{reason}");

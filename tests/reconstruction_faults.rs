@@ -1,5 +1,6 @@
 //! The reconstruction of blocks of which what is known is wrong, missing or poor.
 
+use super::sampling::cases;
 use super::scene::{Scene, scene, selected};
 use tiepoint::{
     BlockFlight, ControlRole, Datum, GroundControlPoint, ImageObservation, KnownCamera, ObservedPosition, Reconstruction,
@@ -144,7 +145,7 @@ fn good_recorded_positions_are_all_kept() {
 
 #[test]
 fn a_camera_for_every_image_is_calibrated_as_far_as_the_block_determines_it() {
-    for (relief_m, recorded) in [(15.0, true), (2.0, false), (15.0, false), (60.0, false)] {
+    for &(relief_m, recorded) in cases(&[(15.0, true), (2.0, false), (60.0, false), (15.0, false)], 3) {
         let mut scene = scene(&BlockFlight { relief_m, ..BlockFlight::default() }, 1.0);
         if recorded {
             scene.record_positions();

@@ -4,10 +4,10 @@
 
 mod known;
 
-use std::sync::{LazyLock, Mutex, OnceLock};
+use std::sync::{Mutex, OnceLock};
 use tiepoint::{
-    Denominator, DenseTruth, MatchOptions, MatchScore, PairImage, PairResult, PairSettings, PointOptions, Refinement, SAMPLE_SEED, Sample,
-    Strategy, match_pair, matches_csv, sample_pair, score_matches,
+    Denominator, DenseTruth, MatchOptions, MatchScore, PairImage, PairResult, PairSettings, PointOptions, Refinement, Strategy, match_pair,
+    matches_csv, score_matches,
 };
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -37,9 +37,6 @@ fn moments() -> MatchOptions {
     MatchOptions { strategy: Strategy::Moments, ..MatchOptions::default() }
 }
 
-/// The sample, made once for all tests.
-static SAMPLE: LazyLock<Sample> = LazyLock::new(|| sample_pair(SAMPLE_SEED).unwrap());
-
 /// What these options find: several tests look at the same run.
 fn run(matching: MatchOptions) -> &'static PairResult {
     static RUNS: Mutex<Vec<(MatchOptions, &'static OnceLock<PairResult>)>> = Mutex::new(Vec::new());
@@ -53,12 +50,13 @@ fn run(matching: MatchOptions) -> &'static PairResult {
         })
     };
     result.get_or_init(|| {
-        let input = known::input(&SAMPLE);
+        let sample = known::sample();
+        let input = known::input(sample);
         let points = PointOptions { fraction: Some(0.148), ..PointOptions::default() };
         let mut settings = PairSettings { points, matching, ..PairSettings::default() };
-        settings.orientation.base_mm = Some(SAMPLE.base_mm);
+        settings.orientation.base_mm = Some(sample.base_mm);
         let image = |grey| PairImage { grey, exif: None, mask: None };
-        match_pair(image(SAMPLE.left.view()), image(SAMPLE.right.view()), &input, &settings).unwrap()
+        match_pair(image(sample.left.view()), image(sample.right.view()), &input, &settings).unwrap()
     })
 }
 
@@ -71,12 +69,13 @@ fn rows(result: &PairResult) -> Vec<[f64; 5]> {
 fn score(result: &PairResult) -> MatchScore {
     let matches: Vec<[f64; 4]> = rows(result).iter().map(|m| [m[0], m[1], m[2], m[3]]).collect();
     let points: Vec<[f64; 2]> = result.left.points.iter().map(|p| [p.x, p.y]).collect();
+    let sample = known::sample();
     let truth = DenseTruth {
-        right_position: &SAMPLE.right_position,
-        left_width: SAMPLE.left.width(),
-        left_height: SAMPLE.left.height(),
-        right_width: SAMPLE.right.width(),
-        right_height: SAMPLE.right.height(),
+        right_position: &sample.right_position,
+        left_width: sample.left.width(),
+        left_height: sample.left.height(),
+        right_width: sample.right.width(),
+        right_height: sample.right.height(),
     };
     score_matches(&matches, &points, &truth).unwrap()
 }
@@ -94,7 +93,7 @@ fn reached(matching: MatchOptions) -> Reached {
     let result = run(matching);
     let score = score(result);
     let oriented = result.orientation.as_ref().unwrap();
-    let (found, truth) = (oriented.parameters, SAMPLE.truth);
+    let (found, truth) = (oriented.parameters, known::sample().truth);
     let angles = [found.omega_deg - truth.omega_deg, found.phi_deg - truth.phi_deg, found.kappa_deg - truth.kappa_deg];
     let base = [found.by_mm - truth.by_mm, found.bz_mm - truth.bz_mm];
     let largest = |errors: &[f64]| errors.iter().fold(0.0, |most: f64, error| most.max(error.abs()));

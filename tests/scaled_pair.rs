@@ -1,5 +1,6 @@
 //! Photos of different scale: the matches of the finer one are refined as those of equal photos are.
 
+use super::sampling::cases;
 use tiepoint::{Flight, GreyImage, PairImage, PairInput, PairSettings, Sample, match_pair, simulate};
 
 /// The image by means of so many px a side: that of a camera farther away.
@@ -52,7 +53,7 @@ fn refined(sample: &Sample, [by_left, by_right]: [usize; 2]) -> Refined {
 fn photos_of_one_and_two_and_one_and_three_keep_their_fits() {
     let flight = Flight { pixel_mm: 0.127, width_px: 900, height_px: 1200, ..Flight::default() };
     let sample = simulate(&flight).unwrap();
-    for by in [[1, 2], [2, 1], [1, 3], [3, 1]] {
+    for &by in cases(&[[1, 2], [3, 1], [2, 1], [1, 3]], 2) {
         let found = refined(&sample, by);
         let Refined { matches, with_fit, error_px, right } = found;
         println!("{by:?}: {with_fit} of {matches} matches refined, off by {error_px:.3} px of the coarser photo, right {right:.3}");

@@ -1,6 +1,7 @@
 //! What a pair is worth, as it is told to whoever sets nothing.
 
-use super::known::input;
+use super::known::{self, input};
+use std::sync::OnceLock;
 use tiepoint::{
     CameraMm, Error, GreyImage, KnownWorst, Match, NoOrientation, PairImage, PairInput, PairInterior, PairResult, PairSettings,
     PairVerdict, Refusal, SAMPLE_SEED, Side, Strategy, Warning, judged, match_pair, sample_pair,
@@ -15,10 +16,17 @@ fn matched_by([left, right]: [&GreyImage; 2], mask: Option<&GreyImage>, input: &
     match_pair(image(left.view(), mask.map(GreyImage::view)), image(right.view(), None), input, settings).unwrap()
 }
 
+/// What nothing that is set makes of the sample.
+fn found() -> &'static PairResult {
+    static FOUND: OnceLock<PairResult> = OnceLock::new();
+    let sample = known::sample();
+    FOUND.get_or_init(|| matched(&sample.left, &sample.right, None, &input(sample)))
+}
+
 #[test]
 fn a_good_pair_is_oriented_with_nothing_set() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
-    let result = matched(&sample.left, &sample.right, None, &input(&sample));
+    let sample = known::sample();
+    let result = found();
     let PairVerdict::Oriented { points, sigma0_px, kappa_deg, half_width_deg, worst, worst_half_width_deg } = result.verdict() else {
         panic!("{}", result.verdict())
     };
@@ -49,11 +57,11 @@ fn errors_that_correlated_matches_share_are_not_taken_for_a_wrong_focal_length()
 
 #[test]
 fn matches_of_few_places_are_weak() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let sample = known::sample();
     let (width, height) = (sample.left.width(), sample.left.height());
     let middle = |k: usize| (k % width).abs_diff(width / 2) < 70 && (k / width).abs_diff(height / 2) < 70;
     let mask = GreyImage::new(width, height, (0..width * height).map(|k| if middle(k) { 255 } else { 0 }).collect()).unwrap();
-    let result = matched(&sample.left, &sample.right, Some(&mask), &input(&sample));
+    let result = matched(&sample.left, &sample.right, Some(&mask), &input(sample));
     let warnings = &result.orientation.as_ref().unwrap().warnings;
     assert!(warnings.iter().any(|w| matches!(w, Warning::FewPlaces { places, least: 16 } if *places < 16)), "{warnings:?}");
     let PairVerdict::Weak { warning, .. } = result.verdict() else { panic!("{}", result.verdict()) };
@@ -62,9 +70,9 @@ fn matches_of_few_places_are_weak() {
 
 #[test]
 fn photos_of_different_towns_and_one_photo_twice_are_not_oriented() {
-    let (one, other) = (sample_pair(SAMPLE_SEED).unwrap(), sample_pair(SAMPLE_SEED + 1).unwrap());
+    let (one, other) = (known::sample(), sample_pair(SAMPLE_SEED + 1).unwrap());
     for right in [&other.right, &one.left] {
-        let result = matched(&one.left, right, None, &input(&one));
+        let result = matched(&one.left, right, None, &input(one));
         assert!(matches!(result.verdict(), PairVerdict::NotOriented { .. }), "{}", result.verdict());
         assert!(result.verdict().to_string().starts_with("Not oriented: "), "{}", result.verdict());
     }
@@ -72,8 +80,7 @@ fn photos_of_different_towns_and_one_photo_twice_are_not_oriented() {
 
 #[test]
 fn matches_of_a_similarity_make_an_orientation_weak() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
-    let result = matched(&sample.left, &sample.right, None, &input(&sample));
+    let result = found().clone();
     // As if the photos were digital ones.
     let (orientation, interior) = (result.orientation.unwrap(), PairInterior { are_scans: false, ..result.interior.unwrap() });
     // The same left positions with what a shift makes of them, whatever the orientation came of.
@@ -95,8 +102,7 @@ fn matches_of_a_similarity_make_an_orientation_weak() {
 
 #[test]
 fn a_doubted_camera_makes_a_good_pair_weak() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
-    let result = matched(&sample.left, &sample.right, None, &input(&sample));
+    let result = found().clone();
     let (orientation, interior) = (result.orientation.unwrap(), result.interior.unwrap());
     let points = Some([result.left.points.len(), result.right.points.len()]);
     let doubt = Warning::ContradictedFocal { side: Side::Right, given_px: 604.0, file_px: 1208.0 };
@@ -165,20 +171,20 @@ fn equal_facades_that_face_each_other_are_not_oriented() {
 
 #[test]
 fn a_mirrored_photo_is_not_oriented() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let sample = known::sample();
     let (view, width, height) = (sample.right.view(), sample.right.width(), sample.right.height());
     let columns = GreyImage::from_fn(width, height, |col, row| view.at(width - 1 - col, row)).unwrap();
     let rows = GreyImage::from_fn(width, height, |col, row| view.at(col, height - 1 - row)).unwrap();
     for right in [columns, rows] {
-        let result = matched(&sample.left, &right, None, &input(&sample));
+        let result = matched(&sample.left, &right, None, &input(sample));
         assert!(!matches!(result.verdict(), PairVerdict::Oriented { .. }), "{}", result.verdict());
     }
 }
 
 #[test]
 fn marks_that_were_exchanged_are_refused_with_their_sigma0() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
-    let mut exchanged = input(&sample);
+    let sample = known::sample();
+    let mut exchanged = input(sample);
     let marks = &mut exchanged.right.fiducials;
     let [first, second] = [0, 1].map(|k| (marks[k].col, marks[k].row));
     (marks[0].col, marks[0].row) = second;
@@ -191,7 +197,7 @@ fn marks_that_were_exchanged_are_refused_with_their_sigma0() {
 
 #[test]
 fn no_camera_is_assumed_in_place_of_one_that_is_given() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let sample = known::sample();
     let given = |focal_mm| PairInput { camera: Some(CameraMm::without_distortion(focal_mm, None)), ..PairInput::default() };
     let result = matched(&sample.left, &sample.right, None, &given(30.0));
     assert!(matches!(result.geometry, Some(Ok(_))) && result.interior.is_none());
@@ -203,10 +209,10 @@ fn no_camera_is_assumed_in_place_of_one_that_is_given() {
 
 #[test]
 fn without_a_camera_a_pair_is_oriented_only_where_it_determines_the_focal_length() {
-    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let sample = known::sample();
     // What is known of the camera is a guess; the photos are nearly vertical over a flat town, which leaves it open.
     let guess = tiepoint::CameraUncertainty::ASSUMED;
-    let mut assumed = input(&sample);
+    let mut assumed = input(sample);
     assumed.camera = assumed.camera.map(|camera| CameraMm { uncertainty: Some(guess), ..camera });
     let result = matched(&sample.left, &sample.right, None, &assumed);
     let orientation = result.orientation.as_ref().unwrap();

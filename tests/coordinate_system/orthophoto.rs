@@ -128,7 +128,7 @@ fn an_orthophoto_places_a_block_in_its_system_beside_gnss_positions() {
 
 #[test]
 fn without_a_system_the_map_is_taken_as_level_and_differs_by_its_scale() {
-    let plain = linked(&run(None, None, None).unwrap(), &orthophoto(UTM, 1.0));
+    let plain = all_linked(links(), &run(None, None, None).unwrap(), &orthophoto(UTM, 1.0));
     assert!(plain.model.origin.is_none());
     let [map, with_system] = [centres(&plain), centres(on_orthophoto())];
     // The length of 1 m of the ground in the map.

@@ -1,6 +1,13 @@
 //! What is known of the sample before it is matched.
 
-use tiepoint::{PairInput, PhotoInput, Sample};
+use std::sync::OnceLock;
+use tiepoint::{PairInput, PhotoInput, SAMPLE_SEED, Sample, sample_pair};
+
+/// The sample, rendered once for all tests of a program.
+pub fn sample() -> &'static Sample {
+    static SAMPLE: OnceLock<Sample> = OnceLock::new();
+    SAMPLE.get_or_init(|| sample_pair(SAMPLE_SEED).unwrap())
+}
 
 /// The camera of the sample, whose images are patches of a larger scan: their principal points lie far outside.
 pub fn input(sample: &Sample) -> PairInput {

@@ -1,4 +1,4 @@
-//! How many simulations a statistic takes: the tests take a fixed sample, `npm run bench -- calibration` takes them all.
+//! How many simulations a statistic takes, and how many cases of a kind: the tests take a fixed sample, `npm run bench -- calibration` takes them all.
 
 use std::ops::Range;
 
@@ -23,4 +23,9 @@ pub fn about_one(half: f64) -> Range<f64> {
 pub fn about(mean: f64, half: f64, one_in: f64) -> Range<f64> {
     let half = half * one_in.sqrt();
     mean - half..mean + half
+}
+
+/// Of cases of one kind, the most telling first, the tests take so many.
+pub fn cases<T>(all: &[T], few: usize) -> &[T] {
+    if is_full() { all } else { &all[..few] }
 }

@@ -7,7 +7,19 @@ import { cargo, ensureToolchain } from '../lib/rust.mjs';
 export async function calibration() {
   console.log('Calibration (simulated sets of observations)');
   const toolchain = await ensureToolchain();
-  const tests = ['--test', 'integration', '--', 'orientation::', 'adjustment::', 'reconstruction::', 'confidence::', 'gnss_errors::'];
+  const tests = [
+    '--test',
+    'integration',
+    '--',
+    'orientation::',
+    'adjustment::',
+    'reconstruction::',
+    'confidence::',
+    'gnss_errors::',
+    'control_errors::',
+    'geometry::',
+    'scaled_pair::',
+  ];
   const env = { TIEPOINT_STATISTICS: 'full' };
   const text = await must(...cargo(toolchain, ['test', '--locked', '--release', ...tests, '--nocapture', '--test-threads=1']), { env, quiet: true });
   for (const line of text.split('\n'))
