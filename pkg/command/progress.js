@@ -48,14 +48,13 @@ export class Progress {
       this.end();
       throw error;
     };
-    const ended = () => {
+    const ended = (/** @type {any} */ result) => {
       if (!this.quiet && !this.#bar) process.stderr.write(`${what} in ${duration((performance.now() - begun) / 1000)}\n`);
+      return result;
     };
     try {
       const result = action();
-      if (result instanceof Promise) return /** @type {T} */ (result.then((value) => (ended(), value), failed));
-      ended();
-      return result;
+      return result instanceof Promise ? /** @type {T} */ (result.then(ended, failed)) : ended(result);
     } catch (error) {
       return failed(error);
     }
