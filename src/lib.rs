@@ -76,7 +76,7 @@ pub use error::{
 };
 pub use film::{
     FilmFrame, FilmInput, FilmScan, FrameOfScan, FramedMeasurements, SCAN_LIMITS, decode_scan, film_cameras, film_frame, film_pattern,
-    film_pixel_mm, measurements_in_frames,
+    film_pixel_mm, film_warning, measurements_in_frames,
 };
 pub use formats::{
     CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, ImagePositionRow, ImagePositions, colmap_features,
@@ -88,7 +88,7 @@ pub use image::{
     Bands, DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, decode_bands, halve, read_header, reduce_to, refused_kind,
     write_bands, write_png,
 };
-pub use json::{JsonFault, JsonKind, JsonSlip, JsonWanted};
+pub use json::{JsonFault, JsonKind, JsonSlip, JsonSyntax, JsonWanted};
 pub use matching::{
     Candidate, DESCRIPTOR_BYTES, Denominator, Described, DescriptorMatch, Descriptors, EpipolarLines, Expectation, Fit, Guide,
     GuidedOptions, Located, Match, MatchCounts, MatchImage, MatchOptions, MatchSet, Nearest, NearestOptions, NearestTable, OffsetField,

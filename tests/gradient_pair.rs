@@ -3,9 +3,9 @@
 use super::known::{self, input};
 use image::ImageEncoder;
 use tiepoint::{
-    CameraMm, DecodeLimits, Degeneracy, Expectation, Flight, GreyImage, NoOrientation, OffsetField, Operator, PairImage, PairInput,
-    PairResult, PairSettings, PairVerdict, PointOptions, Refinement, Rule, SAMPLE_SEED, Strategy, decode, describe_image, match_in_rounds,
-    match_pair, nearest_of, sample_pair, simulate,
+    CameraMm, DecodeLimits, Degeneracy, Expectation, FeatureMatchOptions, Flight, GreyImage, Located, NoOrientation, OffsetField, Operator,
+    PairImage, PairInput, PairResult, PairSettings, PairVerdict, PointOptions, Refinement, Rule, SAMPLE_SEED, Strategy, decode,
+    describe_image, match_features, match_in_rounds, match_pair, nearest_of, sample_pair, simulate,
 };
 
 /// The image as it is read again from a JPEG of this quality.
@@ -273,6 +273,23 @@ fn film_borders_do_not_match() {
     assert_eq!(with.matching.counts.frame, 0);
     let verified = matched(&pictures[0], &pictures[1], &PairInput::default(), &settings).matching.matches.len();
     assert!(10 * all > 7 * verified, "{all} of {verified}");
+}
+
+#[test]
+fn images_of_a_block_say_that_they_have_a_frame_in_common() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let width = sample.left.width();
+    let pictures = [columns(&sample.left, 100, width), columns(&sample.right, 0, width - 100)];
+    let has_frame = |images: &[GreyImage; 2]| {
+        let settings = settings().resolved();
+        let described = images.each_ref().map(|image| describe_image(image.view(), None, &settings).unwrap());
+        let positions = described.each_ref().map(|image| image.set.points.iter().map(|p| [p.x, p.y]).collect::<Vec<_>>());
+        let located = |side: usize| Located { positions: &positions[side], descriptors: &described[side].gradients };
+        let sizes = Some(images.each_ref().map(|image| [image.width(), image.height()]));
+        match_features(located(0), located(1), &FeatureMatchOptions { sizes, ..FeatureMatchOptions::default() }).unwrap().has_frame
+    };
+    assert!(has_frame(&[framed(&pictures[0], [0, 0]), framed(&pictures[1], [23, 11])]));
+    assert!(!has_frame(&pictures));
 }
 
 #[test]

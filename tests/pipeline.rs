@@ -234,6 +234,13 @@ fn what_no_run_can_be_is_refused_before_anything_is_computed() {
             .contains(r#"the name "a\nb.png", which holds a control character"#)
     );
     assert!(refused(RunInput { masks: names(&["a.png", "a_mask.png"]), ..two.clone() }).contains("one mask per image"));
+    let masked = |refuse_stray_masks| RunInput { masks: names(&["a.png", "zz.png"]), refuse_stray_masks, ..two.clone() };
+    assert!(
+        refused(masked(true))
+            .starts_with("masks: got zz.png, which belongs to none of the images; allowed: masks with the names of images")
+    );
+    assert_eq!(refused(masked(false)), "");
+    assert!(refused(RunInput::default()).starts_with("images of the block: got 0 that could be read, of 0; allowed: two or more"));
     let cameras = Some(r#"{"cameras": [{"images": "DJI_*", "focal_px": 500}]}"#.into());
     assert!(refused(RunInput { cameras, ..two.clone() }).contains("DJI_*, which fit no image"));
     let control = Some(ControlTexts { points: "a,0,0,0\n".into(), marks: "a.png,a,1,1\n".into() });

@@ -8,19 +8,20 @@ import { errorOf } from './wire.js';
 /** @typedef {import('./types.js').RunOptions} RunOptions @typedef {import('./types.js').Surroundings} Surroundings */
 
 /** @type {readonly (keyof RunOptions)[]} */
-const OPTIONS = ['settings', 'cameras', 'gps', 'control', 'masks', 'geoid', 'positions', 'onOrthophoto'];
+const OPTIONS = ['settings', 'cameras', 'gps', 'control', 'masks', 'strayMasks', 'geoid', 'positions', 'onOrthophoto'];
 
 /** @param {readonly import('./types.js').Source[]} sources @param {RunOptions} options @param {Surroundings} surroundings */
 export function checkGiven(sources, options, surroundings) {
   if (!isObject(options)) refuse('options', options, 'object');
   const unknown = Object.keys(options).find((name) => !OPTIONS.includes(/** @type {any} */ (name)));
   if (unknown !== undefined) refuseField(unknown);
-  const { cameras, gps, masks, geoid, positions, onOrthophoto } = options;
+  const { cameras, gps, masks, strayMasks, geoid, positions, onOrthophoto } = options;
   if (isGiven(cameras)) {
     if (!isObject(cameras)) refuse('cameras', cameras, '{ name, text }');
     checkType('cameras.text', /** @type {any} */ (cameras).text, 'string');
   }
   if (gps !== undefined && gps !== 'use' && gps !== 'ignore') refuse('gps', gps, 'use, ignore');
+  if (strayMasks !== undefined && strayMasks !== 'refuse' && strayMasks !== 'list') refuse('strayMasks', strayMasks, 'refuse, list');
   if (onOrthophoto !== undefined && typeof onOrthophoto !== 'boolean') refuse('onOrthophoto', onOrthophoto, 'true, false');
   if (isGiven(positions)) checkType('positions', positions, 'string');
   checkSources('images', sources);

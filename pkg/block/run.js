@@ -24,7 +24,7 @@ import { plainError } from './wire.js';
  */
 export async function runBlock(sources, options, surroundings) {
   checkGiven(sources, options, surroundings);
-  const { settings = {}, cameras, gps, control, geoid, positions, onOrthophoto = false } = options;
+  const { settings = {}, cameras, gps, control, geoid, positions, onOrthophoto = false, strayMasks } = options;
   const masks = options.masks ?? [];
   const { pool, progress, news, signal } = surroundings;
   const names = (/** @type {readonly Source[]} */ files) => files.map(({ name }) => name);
@@ -38,6 +38,7 @@ export async function runBlock(sources, options, surroundings) {
     ...(geoid && { geoid: geoid.name }),
     ...(positions !== undefined && positions !== null && { positions }),
     on_orthophoto: onOrthophoto,
+    refuse_stray_masks: strayMasks !== 'list',
   });
   // One job more than there are workers, so that none of them waits.
   const width = pool.size + 1;

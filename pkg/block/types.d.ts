@@ -60,8 +60,13 @@ export interface RunOptions {
   gps?: 'use' | 'ignore';
   /** Ground control points and their image measurements. */
   control?: ControlTexts | null;
-  /** Image files, 0 (black) where no features are wanted, each as large as the image whose name it has; `stray_masks` of the summary names those that fit none. */
+  /** Image files, 0 (black) where no features are wanted, each as large as the image whose name it has. */
   masks?: readonly Source[] | null;
+  /**
+   * What becomes of masks that belong to none of the images, whose own would be missing where a name has a slip: they are refused, by default, or
+   * listed as `stray_masks` of the summary, for folders that hold masks of other images too.
+   */
+  strayMasks?: 'refuse' | 'list';
   /** The geoid from which the heights of the coordinate system count: a GeoTIFF of longitudes and latitudes, GTX, or PGM of GeographicLib. */
   geoid?: Source | null;
   /** GNSS positions of images in place of those that their files record, as the text of a table (`parse_image_positions`). */

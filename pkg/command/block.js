@@ -175,7 +175,7 @@ function masksOf(values) {
   const folder = values.get('masks');
   if (typeof folder !== 'string') return {};
   if (!isFolder(folder)) throw new UsageError(`--masks is ${folder}, which is no folder; name a folder of masks`);
-  return { masks: imagesIn(folder).map(sourceOf) };
+  return { masks: imagesIn(folder).map(sourceOf), strayMasks: /** @type {const} */ ('list') };
 }
 
 /** @param {Call['values']} values @param {import('../node.js').BlockSettings} settings */

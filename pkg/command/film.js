@@ -7,8 +7,10 @@ import {
   film_measurements,
   film_pattern,
   film_pixel_mm,
+  film_warning,
   image_measurement_table,
   masks_of_images,
+  message,
   parse_camera,
   parse_camera_rules,
   parse_image_measurements,
@@ -77,6 +79,8 @@ async function run({ positionals, values }) {
   const measured = typeof marksFile === 'string' ? measurementsOf(marksFile, scans, there) : null;
   const marks_mm = calibrated(scans.flatMap(({ marks }) => marks.fiducials));
   const largest = Math.max(...scans.map(({ marks, table: file }) => about(file, () => film_pixel_mm({ camera, scan: marks, marks_mm }))));
+  const warning = scans.map(({ marks }) => film_warning({ camera, scan: marks, marks_mm })).find((found) => found !== null);
+  if (warning) note(`${cameraFile}: ${message('warning', warning)}`);
   const pixel = pixelOfFilm(camera.focal_mm, largest, there.cameras);
   const shown = new Progress({ steps: scans.length });
   /** @type {{ name: string, image: string, film: FilmScan, camera: CameraRule, rmse_mm: number }[]} */

@@ -1,5 +1,5 @@
 // @ts-check
-/** Progress on stderr: a bar on a terminal; elsewhere nothing, or a line for each stage of a block. */
+/** Progress on stderr: a bar on a terminal; elsewhere nothing, or a line for each stage of a block and each step of a report. */
 
 /** @typedef {import('../block/index.js').Step} Step */
 
@@ -30,7 +30,7 @@ export class Progress {
   #drawn = 0;
   #done = 0;
 
-  /** @param {{ steps?: number, quiet?: boolean }} how how many steps there will be; whether ended stages get no line where there is no terminal */
+  /** @param {{ steps?: number, quiet?: boolean }} how how many steps there will be; whether ended steps and stages get no line where there is no terminal */
   constructor({ steps = 1, quiet = true } = {}) {
     this.steps = steps;
     this.quiet = quiet;
@@ -43,13 +43,18 @@ export class Progress {
   step(what, action) {
     this.#draw(this.#done / this.steps, what);
     this.#done += 1;
+    const begun = performance.now();
     const failed = (/** @type {unknown} */ error) => {
       this.end();
       throw error;
     };
+    const ended = (/** @type {any} */ result) => {
+      if (!this.quiet && !this.#bar) process.stderr.write(`${what} in ${duration((performance.now() - begun) / 1000)}\n`);
+      return result;
+    };
     try {
       const result = action();
-      return result instanceof Promise ? /** @type {T} */ (result.catch(failed)) : result;
+      return result instanceof Promise ? /** @type {T} */ (result.then(ended, failed)) : ended(result);
     } catch (error) {
       return failed(error);
     }

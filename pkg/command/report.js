@@ -47,7 +47,7 @@ export const report = {
     checkSize(ofBlock, [left, right]);
     if (truth) checkPair(truth, left, right);
     const made = new Report(left, right, [basename(leftPath), basename(rightPath)], input, settings, truth, ...masksOf(call, left, right));
-    const progress = new Progress({ steps: made.steps().length + 1 });
+    const progress = new Progress({ steps: made.steps().length + 1, quiet: values.has('json') });
     for (const step of made.steps()) progress.step(`matching: ${step}`, () => made.step());
     const file = progress.step('writing', () => writeInto(out, 'report.html', made.html(language)));
     progress.end();

@@ -39,6 +39,7 @@ report-degrees-of-freedom = درجات الحرية
 report-title = ‏تقرير Tiepoint: { $left }، { $right }
 report-images-points-and-matches = الصور والنقاط والمطابقات
 report-all-strategies = جميع الاستراتيجيات
+report-compared-on = تُقارن الاستراتيجيات الأخرى على { $left_taken } من { $left } من النقاط اليسرى و{ $right_taken } من { $right } من النقاط اليمنى: نافذة كبت ضلعها { $window } بكسل تُبقي أبرزها. فالتدرجات تقارن كل نقطة يسرى بكل نقطة يمنى، ومقارنتها كلها تستغرق دقائق.
 report-interior-orientation = التوجيه الداخلي
 report-relative-orientation = التوجيه النسبي لهذا التشغيل
 report-not-oriented = لم يُوجَّه: { $reason }.

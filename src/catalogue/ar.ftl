@@ -12,7 +12,7 @@ error-invalid-input = { $refusal }
 error-unreadable-image = تعذرت قراءة الصورة: { $image_fault }
 error-unsupported-image = { $unsupported }
 error-too-many-pixels = تعلن الصورة عن { $width } × { $height } بكسل = { FIXED($megapixels, digits: 1) } ميغابكسل؛ المسموح: حتى { FIXED($max_megapixels, digits: 1) } ميغابكسل
-error-too-much-memory = يحتاج فك ترميز { $width } × { $height } بكسل إلى نحو { $needed_mb } ميغابايت؛ المسموح: حتى { $max_mb } ميغابايت
+error-too-much-memory = تحتاج صورة من { $width } × { $height } بكسل إلى نحو { $needed_mb } ميغابايت من الذاكرة؛ المسموح: حتى { $max_mb } ميغابايت
 error-image-too-small = أبعاد الصورة { $width } × { $height } بكسل؛ يحتاج { $image_operation } إلى { $min_side } بكسل على الأقل في كل ضلع
 error-window-outside = النافذة ذات { $side } × { $side } بكسل عند العمود { $col } والصف { $row } تخرج عن الصورة ذات { $width } × { $height } بكسل
 error-constant-window = النافذة ذات { $side } × { $side } بكسل عند العمود { $col } والصف { $row } ثابتة القيم: لا عزوم لها
@@ -28,12 +28,18 @@ error-unreadable-file =
        *[other] { $file_place }:{" "}
     }{ $file_fault }
 error-not-written = تعذرت كتابة { $document }: لا يقبل المخرج نصًا آخر
+error-not-loaded = لم تُحمَّل الوحدة: استدعِ load()، وهي التصدير الافتراضي لـ tiepoint، وانتظرها أولًا
 
 json-fault-value =
     { $field ->
         [none] {""}
        *[other] { $field }:{" "}
     }{ $json_slip }{ $line ->
+        [none] {""}
+       *[other] {" "}في السطر { $line } والعمود { $column }
+    }
+json-fault-syntax =
+    { $json_syntax }{ $line ->
         [none] {""}
        *[other] {" "}في السطر { $line } والعمود { $column }
     }
@@ -63,11 +69,27 @@ json-slip-unknown-field =
 json-slip-missing = غير موجود
 json-slip-twice = أُعطي مرتين
 json-slip-deep = قوائم وكائنات متداخلة؛ المسموح: حتى { $most } مستوى
+json-slip-not-in-json = أُعطي { $value_kind }، وهو مما لا يوجد في JSON
 
 json-wanted-of-kind = { $json_kind }
 json-wanted-whole = أعداد صحيحة من { $min } إلى { $max }
+json-wanted-match = رقم مطابقة، أو قائمة من أربعة أعداد هي موضعها
 json-wanted-words = { $words }
 json-wanted-other = قيمة أخرى
+
+json-syntax-ended = ينتهي النص قبل أن تكتمل قيمته
+json-syntax-continued = يتبع القيمةَ نص آخر
+json-syntax-no-value = لا توجد قيمة حيث ينبغي أن تكون
+json-syntax-no-name = اسم الحقل ليس بين علامتي اقتباس مزدوجتين
+json-syntax-no-colon = لا توجد نقطتان رأسيتان بين اسم الحقل وقيمته
+json-syntax-no-comma-in-list = لا توجد فاصلة ولا ] بعد عنصر من القائمة
+json-syntax-no-comma-in-object = لا توجد فاصلة ولا {"}"} بعد حقل من الكائن
+json-syntax-last-comma = توجد فاصلة بعد آخر عنصر أو حقل
+json-syntax-number = عدد لم يُكتب كما تُكتب الأعداد في JSON
+json-syntax-large-number = عدد أكبر من اللازم
+json-syntax-escape = شرطة مائلة عكسية في نص يتبعها ما لا يجوز أن يتبعها
+json-syntax-control-character = في النص فاصل أسطر أو محرف تحكم آخر
+json-syntax-deep = قوائم وكائنات متداخلة أعمق من اللازم
 
 json-kind-null = null
 json-kind-boolean = نعم أو لا
@@ -126,7 +148,7 @@ few-matches-for-homography = مطابقات للتحويل الإسقاطي
 few-fiducial-marks = العلامات الإطارية
 few-images-of-block = صور الكتلة
 few-observations-of-point = أرصاد نقطة
-few-observed-coordinates = الإحداثيات المرصودة
+few-observed-coordinates = النقاط أقل مما تتطلبه مجاهيل الصور والنقاط والكاميرات، بعدّ إحداثيات الصور
 few-positions-for-datum = مواضع GNSS أو نقاط ضبط أرضي برصدتين، للمرجع
 few-control-points-for-datum = نقاط الضبط الأرضي، للمرجع
 few-degrees-of-freedom = درجات الحرية، للتباينات المشتركة
@@ -440,6 +462,7 @@ warning-far-principal-point = تبعد النقطة الرئيسية للصور�
 warning-doubtful-distortion = تنقل تشوهات الصورة { $side } زاويةً من صورتها إلى { SIGNIFICANT($factor, digits: 2) } من بعدها عن النقطة الرئيسية، والمعتاد من { $least } إلى { $most }: تحقق من الحدود، ووحداتها مم⁻² ومم⁻⁴ ومم⁻⁶.
 warning-resized-or-cropped = في ملف الصورة { $side } بكسلات أقل مما تذكره بيانات EXIF فيه ({ $width_px } × { $height_px } لا { $taken_width_px } × { $taken_height_px }): هل غُيّر حجمها أم قُصّت؟ لا تكاد كاميرتها تُعرف، وقد لا تصح المجالات: أعط الكاميرا.
 warning-cropped = قُصّت الصورة { $side }: في ملفها { $width_px } × { $height_px } بكسل، وتذكر بيانات EXIF فيه { $taken_width_px } × { $taken_height_px }. لا تكاد كاميرتها تُعرف، وقد لا تصح المجالات: أعط الكاميرا.
+warning-unused-pixel = لا يُستعمل حجم بكسل الكاميرا { SIGNIFICANT($pixel_mm, digits: 3) } مم: فبكسل المسح الضوئي بحسب العلامات الإطارية { SIGNIFICANT($marks_mm, digits: 3) } مم.
 warning-other-pixels = غُيّر حجم الصورة { $side } أو قُصّت: تعطي بيانات EXIF فيها بكسلات قدرها { SIGNIFICANT($pixel_um, digits: 2) } ميكرومتر، ويعطي مستشعرها أو مكافئه 35 مم { SIGNIFICANT($expected_um, digits: 2) } ميكرومتر. لا تكاد كاميرتها تُعرف، وقد لا تصح المجالات: أعط الكاميرا.
 warning-similarity-alone = لا تكاد الصورتان تختلفان بأكثر من إزاحة ودوران ومقياس، كما في أجزاء من صورة واحدة، وكما قد يكون في صور مستوية فوق أرض مسطحة: فإن كانتا جزأين من صورة واحدة فالتوجيه خاطئ.
 warning-exact = ‏σ0 تبلغ { SIGNIFICANT($sigma0_px, digits: 1) } بكسل، كما في أجزاء من صورة واحدة؛ ولا تتفق صورتان بأدق من { $least_px } بكسل.
@@ -966,6 +989,11 @@ remark-cautioned-cameras =
         [0] {""}
        *[other] {" "}و{ $images_more } أخرى
     }
+remark-like-scans =
+    { $images }{ $images_more ->
+        [0] {""}
+       *[other] {" "}و{ $images_more } غيرها
+    } تبدو مسوحًا ضوئية لأفلام، لإطار مشترك بينها أو لأن أحجامها تختلف قليلًا: إن كانت كذلك فقِس علاماتها الإطارية واصنع منها صورًا لكاميرا مثالية (tiepoint film) تُبنى منها الكتلة
 remark-impossible-positions =
     تُهمل مواضع GNSS وارتفاعات مستحيلة: { $images }{ $images_more ->
         [0] {""}
@@ -1170,7 +1198,11 @@ refusal-match-position = مواضع المطابقات: أُعطي { $position }
 refusal-shared-errors = الأخطاء المشتركة: أُعطيت آثار على { $effects } من الأرصاد، وعددها { $observations }؛ المسموح: أثر واحد لكل رصدة
 refusal-oriented-observations = الأرصاد: أُعطي { $observations }؛ المسموح: الأرصاد التي وُجّهت، وعددها { $oriented }
 refusal-observation-weight = الوزن: أُعطي { $weight } للرصدة { $observation } (العد من 0)؛ المسموح: من 1e-12 إلى 1e12
-refusal-photo-coordinates = إحداثيات الصورة: أُعطي { $value_mm } مم في الرصدة { $observation } (العد من 0)؛ المسموح: من -{ $largest_mm } إلى { $largest_mm } مم، أي { $focal_lengths } من أمثال البعد البؤري
+refusal-photo-coordinates =
+    إحداثيات الصورة: أُعطي { FIXED($value_mm, digits: 3) } مم في الرصدة { $observation } (العد من 0)؛ المسموح: من -{ $largest_mm } إلى { $largest_mm } مم، أي { $focal_lengths } من أمثال البعد البؤري{ $tiny_mm ->
+        [none] {""}
+       *[other] ؛ وقد يكون البعد البؤري { $tiny_mm } مم معطى بالأمتار
+    }
 
 # Tie points.
 refusal-place-of-image = موضع صورة: أُعطي { $position } للصورة { $image }؛ المسموح: أعداد منتهية بالمتر
@@ -1338,7 +1370,7 @@ refusal-geoid-height =
     } في { $name } عند { FIXED($longitude_deg, digits: 4) }، { FIXED($latitude_deg, digits: 4) }؛ المسموح: ارتفاعات فوق الإهليلجي من -200 إلى 200 م حول الكتلة كلها
 refusal-geoid-nodes = الجيوئيد: أُعطي { $columns } × { $rows } من الارتفاعات حول الكتلة في { $name }؛ المسموح: حتى { $most }
 refusal-geoid-twice = ارتفاع الجيوئيد: أُعطي { $geoid_m } م والملف { $name }؛ المسموح: أحدهما
-refusal-geoid-without-crs = الجيوئيد: أُعطي { $name } بلا نظام إحداثيات؛ المسموح: نظام تُحسب ارتفاعاته منه (--crs)
+refusal-geoid-without-crs = الجيوئيد: أُعطي { $name } بلا نظام إحداثيات؛ المسموح: نظام تُحسب ارتفاعاته منه (placing.crs)
 refusal-geoid-without-place = الجيوئيد: أُعطي { $name } لكتلة ليس لها موضع على الأرض؛ المسموح: صور بمواضع GNSS، أو نقاط ضبط
 
 # The run of a block.
@@ -1380,6 +1412,14 @@ refusal-mask-of-image = قناعها: أُعطي { $name } ذو { $width } × { 
 refusal-file-name-again = صور الكتلة: أُعطيت صورتان بالاسم { $name }؛ المسموح: كل اسم مرة واحدة
 refusal-file-name = صور الكتلة: أُعطي الاسم { $name }، وفيه محرف تحكم؛ المسموح: أسماء بلا محارف تحكم
 refusal-coarse-descriptors = الواصفات الخشنة: أُعطي { $bytes } بايت؛ المسموح: { $each } بايت لكل منها
+refusal-stray-masks =
+    الأقنعة: أُعطي { $masks }{ $masks_more ->
+        [0] {""}
+       *[other] {" "}و{ $masks_more } غيرها
+    }، { $masks_count ->
+        [one] وهو لا يخص
+       *[other] وهي لا تخص
+    } أيًا من الصور؛ المسموح: أقنعة بأسماء الصور، مثل IMG_1.png أو IMG_1_mask.png أو IMG_1.jpg.png للصورة IMG_1.jpg
 refusal-two-masks = الأقنعة: أُعطي { $first } و{ $second }، وهما للصورة نفسها؛ المسموح: قناع واحد للصورة
 refusal-refined-observations = أرصاد نقطة: أُعطي من { $first } إلى { $end }؛ المسموح: أرقام تصاعدية حتى { $windows }
 refusal-freed-object = حُرّر الكائن أو نُقل إلى كائن آخر؛ المسموح: كائنات لم تُحرّر ولم تُنقل
@@ -1423,6 +1463,7 @@ refusal-nothing-above-ground = كتلة الموزاييك: ليس فيها صو
 refusal-mosaic-pixel = ضلع بكسل الموزاييك: أُعطي { $gsd }؛ المسموح: { FIXED($least, digits: 4) } أو أكثر، حتى لا يتجاوز الموزاييك { $megapixels } ميغابكسل، وتتسع الذاكرة لما ينتظر صورًا أخرى
 refusal-mosaic-image = صورة موزاييك: أُعطي الرقم { $image }؛ المسموح: رقم صورة من النموذج
 refusal-mosaic-image-size = صورة موزاييك: أُعطي { $width } × { $height } بكسل؛ المسموح: { $width_px } × { $height_px } بكسل، كما في كاميرتها
+refusal-mosaic-without-images = الموزاييك: لم تُضف إليه صورة موجَّهة؛ المسموح: صور الكتلة تُضاف واحدة واحدة قبل إنهائه
 refusal-empty-mosaic = الموزاييك: ليس فيه شيء تُظهره صورة؛ المسموح: ارتفاعات تحت الصور وأدنى منها، وبكسل أصغر كثيرًا من الصورة
 refusal-map-in-degrees = النظام الإحداثي المرجعي للكتلة: أُعطي { $crs } بالدرجات؛ المسموح لصورة للأرض: نظام مسقط، كنظام منطقتها في UTM: شغّل الكتلة بخيار `--crs` آخر
 refusal-outside-map = موقع الكتلة: أُعطي موقع خارج { $crs }؛ المسموح: داخل هذا النظام الإحداثي المرجعي

@@ -39,6 +39,7 @@ report-degrees-of-freedom = Degrees of freedom
 report-title = Tiepoint report: { $left }, { $right }
 report-images-points-and-matches = Images, points and matches
 report-all-strategies = All strategies
+report-compared-on = The other strategies are compared on { $left_taken } of { $left } left and { $right_taken } of { $right } right points: a suppression window of { $window } px keeps those that stand out most. Gradients compare every left point with every right one, and all of them would take minutes.
 report-interior-orientation = Interior orientation
 report-relative-orientation = Relative orientation of this run
 report-not-oriented = Not oriented: { $reason }.

@@ -21,7 +21,7 @@ error-invalid-input = { $refusal }
 error-unreadable-image = the image cannot be read: { $image_fault }
 error-unsupported-image = { $unsupported }
 error-too-many-pixels = the image declares { $width } x { $height } px = { FIXED($megapixels, digits: 1) } MP; allowed: up to { FIXED($max_megapixels, digits: 1) } MP
-error-too-much-memory = decoding { $width } x { $height } px needs about { $needed_mb } MB; allowed: up to { $max_mb } MB
+error-too-much-memory = an image of { $width } x { $height } px needs about { $needed_mb } MB of memory; allowed: up to { $max_mb } MB
 error-image-too-small = the image has { $width } x { $height } px; { $image_operation } needs at least { $min_side } px a side
 error-window-outside = the window of { $side } x { $side } px at column { $col }, row { $row } leaves the image of { $width } x { $height } px
 error-constant-window = the window of { $side } x { $side } px at column { $col }, row { $row } is constant: it has no moments
@@ -37,12 +37,18 @@ error-unreadable-file =
        *[other] { $file_place }:{" "}
     }{ $file_fault }
 error-not-written = { $document } cannot be written: the output takes no more text
+error-not-loaded = the module is not loaded: call load(), the default export of tiepoint, and wait for it first
 
 json-fault-value =
     { $field ->
         [none] {""}
        *[other] { $field }:{" "}
     }{ $json_slip }{ $line ->
+        [none] {""}
+       *[other] {" "}at line { $line } column { $column }
+    }
+json-fault-syntax =
+    { $json_syntax }{ $line ->
         [none] {""}
        *[other] {" "}at line { $line } column { $column }
     }
@@ -72,11 +78,27 @@ json-slip-unknown-field =
 json-slip-missing = missing
 json-slip-twice = given twice
 json-slip-deep = lists and objects inside each other; allowed: up to { $most } levels
+json-slip-not-in-json = got { $value_kind }, which JSON does not have
 
 json-wanted-of-kind = { $json_kind }
 json-wanted-whole = whole numbers from { $min } to { $max }
+json-wanted-match = the number of a match, or a list of four numbers, its place
 json-wanted-words = { $words }
 json-wanted-other = another value
+
+json-syntax-ended = the text ends before its value does
+json-syntax-continued = more text follows the value
+json-syntax-no-value = there is no value where one should be
+json-syntax-no-name = the name of a field is not in double quotes
+json-syntax-no-colon = there is no colon between the name of a field and its value
+json-syntax-no-comma-in-list = there is neither a comma nor ] behind an item of a list
+json-syntax-no-comma-in-object = there is neither a comma nor {"}"} behind a field of an object
+json-syntax-last-comma = there is a comma behind the last item or field
+json-syntax-number = a number is not written as JSON writes numbers
+json-syntax-large-number = a number is too large
+json-syntax-escape = a backslash in a text stands before what may not follow it
+json-syntax-control-character = a text holds a line break or another control character
+json-syntax-deep = lists and objects stand too deep inside each other
 
 json-kind-null = null
 json-kind-boolean = true or false
@@ -136,7 +158,7 @@ few-matches-for-homography = matches for the homography
 few-fiducial-marks = fiducial marks
 few-images-of-block = images of a block
 few-observations-of-point = observations of a point
-few-observed-coordinates = observed coordinates
+few-observed-coordinates = too few points for the unknowns of images, points and cameras, counted in image coordinates
 few-positions-for-datum = GNSS positions or control points with two observations, for the datum
 few-control-points-for-datum = control points, for the datum
 few-degrees-of-freedom = degrees of freedom, for covariances
@@ -356,7 +378,11 @@ refusal-match-position = positions of matches: got { $position } in match { $ind
 refusal-shared-errors = shared errors: got effects on { $effects } of { $observations } observations; allowed: one effect for each observation
 refusal-oriented-observations = observations: got { $observations }; allowed: the { $oriented } that were oriented
 refusal-observation-weight = weight: got { $weight } for observation { $observation } (counted from 0); allowed: 1e-12 to 1e12
-refusal-photo-coordinates = photo coordinates: got { $value_mm } mm in observation { $observation } (counted from 0); allowed: -{ $largest_mm } to { $largest_mm } mm, { $focal_lengths } focal lengths
+refusal-photo-coordinates =
+    photo coordinates: got { FIXED($value_mm, digits: 3) } mm in observation { $observation } (counted from 0); allowed: -{ $largest_mm } to { $largest_mm } mm, { $focal_lengths } focal lengths{ $tiny_mm ->
+        [none] {""}
+       *[other] ; the focal length of { $tiny_mm } mm may be given in metres
+    }
 
 # Tie points.
 refusal-place-of-image = position of an image: got { $position } of image { $image }; allowed: finite numbers in m
@@ -526,7 +552,7 @@ refusal-geoid-height =
     } in { $name } at { FIXED($longitude_deg, digits: 4) }, { FIXED($latitude_deg, digits: 4) }; allowed: heights above the ellipsoid from -200 to 200 m all about the block
 refusal-geoid-nodes = geoid: got { $columns } x { $rows } heights about the block in { $name }; allowed: up to { $most }
 refusal-geoid-twice = height of the geoid: got { $geoid_m } m and the file { $name }; allowed: one of them
-refusal-geoid-without-crs = geoid: got { $name } without a coordinate system; allowed: a system whose heights count from it (--crs)
+refusal-geoid-without-crs = geoid: got { $name } without a coordinate system; allowed: a system whose heights count from it (placing.crs)
 refusal-geoid-without-place = geoid: got { $name } for a block that has no place on the earth; allowed: images with GNSS positions, or control points
 
 # The run of a block.
@@ -560,6 +586,14 @@ refusal-mask-of-image = its mask: got { $name } with { $width } x { $height } px
 refusal-file-name-again = images of the block: got two with the name { $name }; allowed: each name once
 refusal-file-name = images of the block: got the name { $name }, which holds a control character; allowed: names without them
 refusal-coarse-descriptors = coarse descriptors: got { $bytes } bytes; allowed: { $each } bytes each
+refusal-stray-masks =
+    masks: got { $masks }{ $masks_more ->
+        [0] {""}
+       *[other] {" "}and { $masks_more } more
+    }, { $masks_count ->
+        [one] which belongs
+       *[other] which belong
+    } to none of the images; allowed: masks with the names of images, as IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png for IMG_1.jpg
 refusal-two-masks = masks: got { $first } and { $second }, which belong to the same image; allowed: one mask per image
 refusal-refined-observations = observations of a point: got { $first } to { $end }; allowed: ascending indices up to { $windows }
 refusal-freed-object = the object was freed, or moved into another one; allowed: objects that are neither
@@ -603,6 +637,7 @@ refusal-nothing-above-ground = block for a mosaic: got no oriented image above t
 refusal-mosaic-pixel = side of a pixel of the mosaic: got { $gsd }; allowed: { FIXED($least, digits: 4) } or more, so that the mosaic has at most { $megapixels } MP, and what waits for further images has room in memory
 refusal-mosaic-image = image of a mosaic: got index { $image }; allowed: one of the model
 refusal-mosaic-image-size = image of a mosaic: got { $width } x { $height } px; allowed: { $width_px } x { $height_px } px, as its camera
+refusal-mosaic-without-images = mosaic: got no oriented image; allowed: images of the block, added one by one before it is finished
 refusal-empty-mosaic = mosaic: got nothing that an image shows; allowed: heights under the images, below them, and a pixel much smaller than an image
 refusal-map-in-degrees = coordinate reference system of the block: got { $crs }, in degrees; allowed for a picture of the ground: a projected system, as that of its UTM zone: run the block with another `--crs`
 refusal-outside-map = place of the block: got one outside { $crs }; allowed: within that coordinate reference system
@@ -931,6 +966,7 @@ warning-far-principal-point = The principal point of the { $side } photo lies { 
 warning-doubtful-distortion = The distortion of the { $side } photo takes a corner of its image to { SIGNIFICANT($factor, digits: 2) } times its distance from the principal point, where { $least } to { $most } times are usual: check the terms, which are in mm⁻², mm⁻⁴ and mm⁻⁶.
 warning-resized-or-cropped = The file of the { $side } image has fewer pixels than its EXIF data says ({ $width_px } x { $height_px }, not { $taken_width_px } x { $taken_height_px }): resized or cropped? Its camera is hardly known, and the intervals may not hold: give the camera.
 warning-cropped = The { $side } image was cropped: its file has { $width_px } x { $height_px } px, its EXIF data says { $taken_width_px } x { $taken_height_px }. Its camera is hardly known, and the intervals may not hold: give the camera.
+warning-unused-pixel = The pixel size of the camera, { SIGNIFICANT($pixel_mm, digits: 3) } mm, is not used: by the fiducial marks a pixel of the scan is { SIGNIFICANT($marks_mm, digits: 3) } mm large.
 warning-other-pixels = The { $side } image was resized or cropped: its EXIF data gives pixels of { SIGNIFICANT($pixel_um, digits: 2) } µm, where its sensor or its 35 mm equivalent gives { SIGNIFICANT($expected_um, digits: 2) } µm. Its camera is hardly known, and the intervals may not hold: give the camera.
 warning-similarity-alone = The images hardly differ by more than a shift, a turn and a scale, as parts of one image do and level photos over flat ground may: where they are parts of one image, the orientation is wrong.
 warning-exact = σ0 is { SIGNIFICANT($sigma0_px, digits: 1) } px, as of parts of one image; two photographs do not agree to better than { $least_px } px.
@@ -1466,6 +1502,11 @@ remark-cautioned-cameras =
         [0] {""}
        *[other] {" "}and { $images_more } more
     }
+remark-like-scans =
+    { $images }{ $images_more ->
+        [0] {""}
+       *[other] {" "}and { $images_more } more
+    } look like scans of film, by a frame that they have in common or by sizes that differ a little: if they are, measure their fiducial marks and make images of one camera of them (tiepoint film), of which a block is made
 remark-impossible-positions =
     impossible GNSS positions and heights are ignored: { $images }{ $images_more ->
         [0] {""}

@@ -66,6 +66,8 @@ messages! {
         Interrupted { interruption: Interruption },
         /// A sink that takes no more text.
         NotWritten { document: Document },
+        /// A call of the module before it is loaded. The JavaScript around the module throws it.
+        NotLoaded,
     }
 }
 
@@ -108,6 +110,7 @@ impl Error {
             Error::UnreadableFile { .. } => "unreadable-file",
             Error::Interrupted { .. } => "interrupted",
             Error::NotWritten { .. } => "not-written",
+            Error::NotLoaded => "not-loaded",
         }
     }
 

@@ -89,7 +89,7 @@ messages! {
         SharedErrors { effects: usize, observations: usize },
         OrientedObservations { observations: usize, oriented: usize },
         ObservationWeight { #[serde(with = "number")] weight: f64, observation: usize },
-        PhotoCoordinates { #[serde(with = "number")] value_mm: f64, observation: usize, largest_mm: f64, focal_lengths: f64 },
+        PhotoCoordinates { #[serde(with = "number")] value_mm: f64, observation: usize, largest_mm: f64, focal_lengths: f64, #[serde(default)] tiny_mm: Option<f64> },
 
         // Tie points.
         PlaceOfImage { position: String, image: u32 },
@@ -222,6 +222,7 @@ messages! {
         FileName { name: String },
         CoarseDescriptors { bytes: usize, each: usize },
         TwoMasks { first: String, second: String },
+        StrayMasks { masks: Vec<String> },
         RefinedObservations { first: u32, end: u32, windows: usize },
         UnknownJob { job: u32 },
         /// An object of JavaScript whose memory was freed or moved into another one; what calls between it and the crate says so.
@@ -258,6 +259,7 @@ messages! {
         MosaicImage { image: usize },
         MosaicImageSize { width: usize, height: usize, width_px: u32, height_px: u32 },
         EmptyMosaic,
+        MosaicWithoutImages,
         MapInDegrees { crs: String },
         OutsideMap { crs: String },
         HeightsSystem { heights: String, ground: String },

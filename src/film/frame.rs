@@ -3,8 +3,9 @@
 use super::scan_file::SCAN_LIMITS;
 use super::{FilmInput, FilmScan};
 use crate::error::refuse;
+use crate::pair::unused_pixel;
 use crate::pipeline::decode_mask;
-use crate::{Bands, CameraRule, CameraUncertainty, Error, ExifImage, GreyImage, Interior, Refusal, orient_fiducials, write_bands};
+use crate::{Bands, CameraRule, CameraUncertainty, Error, ExifImage, GreyImage, Interior, Refusal, Warning, orient_fiducials, write_bands};
 
 /// The scan of a photo on film, resampled to the image of an ideal camera.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +39,15 @@ pub fn film_pixel_mm(film: &FilmInput) -> Result<f64, Error> {
 }
 
 const STEPS_PER_MM: f64 = 1e5;
+
+/// What is to be said of the camera of a scan: that the side of a pixel that it gives is not used.
+///
+/// # Errors
+/// As [`film_pixel_mm`].
+pub fn film_warning(film: &FilmInput) -> Result<Option<Warning>, Error> {
+    let marks_mm = film_pixel_mm(film)?;
+    Ok(film.camera.as_ref().and_then(|camera| unused_pixel(camera, marks_mm)))
+}
 
 impl FilmFrame {
     /// Leaves out of its mask what a mask of the scan leaves out, where that is 0. `name` and `file` are those of an image as large as the scan.

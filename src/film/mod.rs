@@ -13,7 +13,7 @@ mod scan_file;
 mod shown;
 
 pub use cameras::{film_cameras, film_pattern};
-pub use frame::{FilmFrame, film_frame, film_pixel_mm};
+pub use frame::{FilmFrame, film_frame, film_pixel_mm, film_warning};
 pub use input::FilmInput;
 pub use measurements::{FrameOfScan, FramedMeasurements, measurements_in_frames};
 pub use scan::FilmScan;

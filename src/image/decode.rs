@@ -102,11 +102,23 @@ fn check_limits(layout: &FileLayout, bytes: &[u8], limits: &DecodeLimits, wanted
         layout.check_length(bytes)?;
         allowed = reservable(needed);
     }
-    if needed > allowed {
-        let [needed_mb, max_mb] = [needed.div_ceil(1 << 20), allowed >> 20];
-        return Err(Error::TooMuchMemory { width, height, needed_mb, max_mb });
+    if needed > allowed { Err(too_much(width, height, needed, allowed)) } else { Ok(()) }
+}
+
+fn too_much(width: u64, height: u64, needed: u64, allowed: u64) -> Error {
+    Error::TooMuchMemory { width, height, needed_mb: needed.div_ceil(1 << 20), max_mb: allowed >> 20 }
+}
+
+impl GreyImage {
+    /// Refuses an image of this width and height whose grey values, so many bytes, need more memory than can be had now.
+    ///
+    /// # Errors
+    /// [`Error::TooMuchMemory`].
+    pub fn check_memory([width, height]: [usize; 2], bytes: u64) -> Result<(), Error> {
+        let largest_block = isize::MAX as u64;
+        let allowed = if bytes > largest_block { largest_block } else { reservable(bytes) };
+        if bytes > allowed { Err(too_much(width as u64, height as u64, bytes, allowed)) } else { Ok(()) }
     }
-    Ok(())
 }
 
 /// How much of this memory can be had now: it is reserved in blocks and given back, but not touched.

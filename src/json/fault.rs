@@ -1,5 +1,6 @@
 //! Why JSON is refused.
 
+use super::JsonSyntax;
 use crate::message::messages;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -11,6 +12,8 @@ messages! {
     pub enum JsonFault as "json_fault" {
         /// A value; a field by its path, absent for the whole.
         Value { field: Option<String>, json_slip: Box<JsonSlip>, line: Option<usize>, column: Option<usize> },
+        /// The text is no JSON.
+        Syntax { json_syntax: JsonSyntax, line: Option<usize>, column: Option<usize> },
         /// A field by its path, in words of who read it.
         Field { field: String, words: String, line: Option<usize>, column: Option<usize> },
         /// The whole, in words of who read it.
@@ -24,9 +27,13 @@ impl From<serde_json::Error> for JsonFault {
     /// The reader appends line and column to its words where it read a text, and gives these in no other way.
     fn from(error: serde_json::Error) -> Self {
         let (said, line, column) = (error.to_string(), error.line(), error.column());
-        match said.strip_suffix(&format!(" at line {line} column {column}")) {
-            Some(words) => Self::Text { words: words.into(), line: Some(line), column: Some(column) },
-            None => Self::Text { words: said, line: None, column: None },
+        let (words, line, column) = match said.strip_suffix(&format!(" at line {line} column {column}")) {
+            Some(words) => (words, Some(line), Some(column)),
+            None => (&said[..], None, None),
+        };
+        match JsonSyntax::of(words) {
+            Some(json_syntax) => Self::Syntax { json_syntax, line, column },
+            None => Self::Text { words: words.into(), line, column },
         }
     }
 }
@@ -47,6 +54,8 @@ messages! {
         Twice,
         /// Lists and objects in each other.
         Deep { most: usize },
+        /// A value of JavaScript that JSON does not have, by its kind.
+        NotInJson { value_kind: String },
     }
 }
 
@@ -57,6 +66,8 @@ messages! {
     pub enum JsonWanted as "json_wanted" {
         OfKind { json_kind: JsonKind },
         Whole { min: f64, max: f64 },
+        /// A match of a pair, by its number or its place.
+        Match,
         /// One of these, with commas between.
         Words { words: String },
         /// What its reader does not say in a form of ours.

@@ -6,9 +6,13 @@ mod fault;
 mod key;
 mod reader;
 mod slip;
+mod syntax;
 mod tokens;
 
 pub use fault::{JsonFault, JsonKind, JsonSlip, JsonWanted};
+pub use syntax::JsonSyntax;
+
+pub(crate) use slip::MATCH;
 
 use reader::Reader;
 use serde::de::{DeserializeOwned, Error, IgnoredAny};
@@ -22,7 +26,10 @@ use tokens::Tokens;
 /// Reads a JSON text; or says which field is wrong, and why.
 pub(crate) fn from_text<T: DeserializeOwned>(text: &str) -> Result<T, JsonFault> {
     // What follows reads a text that is JSON.
-    serde_json::from_str::<IgnoredAny>(text)?;
+    if let Err(error) = serde_json::from_str::<IgnoredAny>(text) {
+        // Of a value the library says more of what is wrong.
+        return Err(serde_json::from_str::<Value>(text).err().unwrap_or(error).into());
+    }
     Reader::of(&mut Tokens::of(text)).value(PhantomData).map_err(|slip| slip.fault(text))
 }
 
@@ -30,6 +37,7 @@ pub(crate) fn from_text<T: DeserializeOwned>(text: &str) -> Result<T, JsonFault>
 pub(crate) fn from_value<T: DeserializeOwned>(value: &Value) -> Result<T, JsonFault> {
     from_text(&value.to_string()).map_err(|fault| match fault {
         JsonFault::Value { field, json_slip, .. } => JsonFault::Value { field, json_slip, line: None, column: None },
+        JsonFault::Syntax { json_syntax, .. } => JsonFault::Syntax { json_syntax, line: None, column: None },
         JsonFault::Field { field, words, .. } => JsonFault::Field { field, words, line: None, column: None },
         JsonFault::Text { words, .. } => JsonFault::Text { words, line: None, column: None },
     })
@@ -121,10 +129,10 @@ mod tests {
             ("\"name\": \"a\", ", "", "cameras[0].name: missing at line 1 column 14"),
             ("\"reach\": 3", "\"reach\": 3, \"reach\": 3", "cameras[0].reach: given twice at line 1 column "),
             ("3}", "1e999}", "cameras[0].reach: got 1e999; allowed: a number at line 1 column "),
-            (whole, "", "EOF while parsing a value at line 1 column "),
-            (": [{\"name\": \"a\", \"place\": [1, 2], \"reach\": 3}]}", "", "EOF while parsing an object at line 1 column "),
-            (", \"reach\": 3}]}", ", ", "EOF while parsing an object at line 1 column "),
-            ("}]}", "}]} 3", "trailing characters"),
+            (whole, "", "the text ends before its value does at line 1 column "),
+            (": [{\"name\": \"a\", \"place\": [1, 2], \"reach\": 3}]}", "", "the text ends before its value does at line 1 column "),
+            (", \"reach\": 3}]}", ", ", "the text ends before its value does at line 1 column "),
+            ("}]}", "}]} 3", "more text follows the value"),
         ] {
             let reason = from_text::<File>(&whole.replacen(from, to, 1)).unwrap_err().to_string();
             assert!(reason.starts_with(told), "{told}: {reason}");

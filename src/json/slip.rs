@@ -139,6 +139,9 @@ fn search(value: &Value, sought: &Value, path: &mut Vec<Segment>, places: &mut V
     }
 }
 
+/// What the reader of a match of a pair says that it wants.
+pub(crate) const MATCH: &str = "a match of a pair";
+
 /// What a reader of the standard types wants, by the name that it gives it.
 fn wanted(expected: &dyn Expected) -> JsonWanted {
     let kind = |json_kind| JsonWanted::OfKind { json_kind };
@@ -156,6 +159,7 @@ fn wanted(expected: &dyn Expected) -> JsonWanted {
         "a sequence" => kind(JsonKind::List),
         "a map" => kind(JsonKind::Object),
         "unit" => kind(JsonKind::Null),
+        MATCH => JsonWanted::Match,
         name if name.starts_with("an array of length ") || name.starts_with("a tuple of size ") => kind(JsonKind::List),
         name if name.starts_with("struct ") => kind(JsonKind::Object),
         _ => JsonWanted::Other,

@@ -2,7 +2,7 @@
 
 use super::texts::NESTED;
 use super::{Message, Texts};
-use crate::json::{JsonFault, JsonKind, JsonSlip, JsonWanted};
+use crate::json::{JsonFault, JsonKind, JsonSlip, JsonSyntax, JsonWanted};
 use crate::{
     Allowed, Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, ControlApart, Damage, Degeneracy,
     DescribedBy, Document, Element, Error, Failure, Few, FileFault, FileKind, FilePlace, ImageFault, ImageOperation, ImageReason, Input,
@@ -73,6 +73,7 @@ fn families() -> Vec<Family> {
         family::<JsonFault>(),
         family::<JsonKind>(),
         family::<JsonSlip>(),
+        family::<JsonSyntax>(),
         family::<JsonWanted>(),
         family::<ImageReason>(),
         family::<Interruption>(),

@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 48] = [
+pub(super) const NESTED: [&str; 49] = [
     "allowed",
     "axis",
     "block_warning",
@@ -37,6 +37,7 @@ pub(super) const NESTED: [&str; 48] = [
     "json_fault",
     "json_kind",
     "json_slip",
+    "json_syntax",
     "json_wanted",
     "location",
     "mistake",

@@ -21,6 +21,8 @@ messages! {
         ContradictedFocal { label: String, focal_px: f64, file_px: f64, images: Vec<String> },
         /// What speaks against the camera that files name.
         CautionedCameras { camera_caution: CameraCaution, images: Vec<String> },
+        /// Images look like scans of film: they have a frame in common, or sizes that differ a little.
+        LikeScans { images: Vec<String> },
         /// GNSS positions, or their heights, that cannot be.
         ImpossiblePositions { images: Vec<ImpossiblePosition> },
         /// Columns of the table of control points that are not read.

@@ -23,6 +23,9 @@ const LEAST_PARALLAX: f64 = 6.0;
 /// Largest standard error of an angle or of the base's direction, in radians, that still is an orientation.
 const LARGEST_ERROR: f64 = 0.35;
 
+/// No camera has a shorter focal length; one of film in m does.
+const TINY_FOCAL_MM: f64 = 1.0;
+
 /// Refuses a focal length and observations that are none.
 pub(super) fn check_input(observations: &[Observation], focal_mm: f64) -> Result<(), Error> {
     check_call("focal_mm", focal_mm)?;
@@ -34,7 +37,8 @@ pub(super) fn check_input(observations: &[Observation], focal_mm: f64) -> Result
         let coordinates = observation.left.iter().chain(&observation.right);
         if let Some(&value_mm) = coordinates.into_iter().find(|v| !(v.abs() <= largest)) {
             let (largest_mm, focal_lengths) = (largest, LARGEST_COORDINATE);
-            return refuse_input(Refusal::PhotoCoordinates { value_mm, observation: index, largest_mm, focal_lengths });
+            let tiny_mm = Some(focal_mm).filter(|focal_mm| *focal_mm < TINY_FOCAL_MM);
+            return refuse_input(Refusal::PhotoCoordinates { value_mm, observation: index, largest_mm, focal_lengths, tiny_mm });
         }
     }
     Ok(())
@@ -134,4 +138,21 @@ pub(super) fn degenerate(cause: Cause) -> Error {
 /// The error of an iteration that did not converge.
 pub(super) fn diverged(iterations: usize, cause: Cause) -> Error {
     Error::NotConverged { computation: Computation::RelativeOrientation, iterations, cause }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_focal_length_in_metres_is_named_where_the_photo_is_too_large_for_it() {
+        let at = |x_mm: f64| Observation { left: [x_mm, 0.0], right: [0.0; 2], weight: 1.0 };
+        let told = |x_mm, focal_mm| check_input(&[at(x_mm)], focal_mm).unwrap_err().to_string();
+        let in_metres = told(-110.4321, 0.1525);
+        assert!(
+            in_metres.ends_with("got -110.432 mm in observation 0 (counted from 0); allowed: -15.25 to 15.25 mm, 100 focal lengths; the focal length of 0.1525 mm may be given in metres"),
+            "{in_metres}"
+        );
+        assert!(told(1e6, 152.5).ends_with("mm, 100 focal lengths"));
+    }
 }

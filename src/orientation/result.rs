@@ -168,6 +168,8 @@ messages! {
         Cropped { side: Side, taken_width_px: u32, taken_height_px: u32, width_px: u32, height_px: u32 },
         /// The pixels of a photo are not those of its sensor: it was resized or cropped.
         OtherPixels { side: Side, pixel_um: f64, expected_um: f64 },
+        /// The side of a pixel that was given with the camera is another than the fiducial marks of scans give, and not used.
+        UnusedPixel { pixel_mm: f64, marks_mm: f64 },
         /// The matches ask for a similarity alone, as those of parts of one image do, and of level photos over flat ground.
         SimilarityAlone,
         /// The matches agree better than those of two photographs ever do.
@@ -194,7 +196,9 @@ impl Warning {
     /// intervals hold already.
     pub fn is_weakness(&self) -> bool {
         match self {
-            Self::Identical { .. } | Self::Behind { .. } | Self::Sigma { .. } | Self::IllConditioned { .. } => false,
+            Self::Identical { .. } | Self::Behind { .. } | Self::Sigma { .. } | Self::IllConditioned { .. } | Self::UnusedPixel { .. } => {
+                false
+            }
             Self::Plane { .. }
             | Self::Clustered { .. }
             | Self::Rotation { .. }

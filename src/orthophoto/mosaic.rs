@@ -298,10 +298,10 @@ impl Mosaic {
     /// Writes what is left, and to the beginning of `out` where in it the rest is found.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] where no image showed any of it, whatever was written; [`Error::NotWritten`].
+    /// [`Error::InvalidInput`] where no image was added, or none showed any of it, whatever was written; [`Error::NotWritten`].
     pub fn finish(self, out: &mut (impl Write + Seek)) -> Result<(), Error> {
-        let shows = self.tiles.map_or(Ok(false), |tiles| tiles.finish(out))?;
-        if shows { Ok(()) } else { refuse(Refusal::EmptyMosaic) }
+        let Some(tiles) = self.tiles else { return refuse(Refusal::MosaicWithoutImages) };
+        if tiles.finish(out)? { Ok(()) } else { refuse(Refusal::EmptyMosaic) }
     }
 }
 
@@ -310,6 +310,14 @@ mod tests {
     use super::*;
     use crate::{BlockFlight, BlockScene, DecodeLimits, GreyImage, Orthophoto, decode_bands};
     use std::io::Cursor;
+
+    #[test]
+    fn a_mosaic_to_which_no_image_was_added_says_so() {
+        let flight = BlockFlight { strips: 1, exposures: 2, width_px: 64, height_px: 48, pixel_mm: 0.5, ..BlockFlight::default() };
+        let mosaic = Mosaic::new(&BlockScene::new(&flight).unwrap().truth(), Heights::Level(0.0), None).unwrap();
+        let told = mosaic.finish(&mut Cursor::new(Vec::new())).unwrap_err().to_string();
+        assert!(told.starts_with("mosaic: got no oriented image; allowed: images of the block, added one by one"), "{told}");
+    }
 
     #[test]
     fn a_mosaic_of_true_orientations_is_the_orthophoto() {

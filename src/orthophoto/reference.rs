@@ -36,13 +36,15 @@ const EMPTY: u8 = 0;
 const MOST_WHOLE: u64 = 40_000_000;
 const MOST_CHUNK: usize = 16_000_000;
 const MOST_IN_PARTS: u64 = 40_000_000_000;
-/// What is shown at once, in pixels, and how often it is halved, at most.
+/// What is shown at once, in pixels, at most.
 const MOST_SHOWN: usize = 1 << 24;
-const MOST_HALVINGS: u32 = 16;
 /// Heights are looked up at so many places along each side.
 const LOOKED_UP: usize = 32;
 
 impl Orthophoto {
+    /// A picture is halved so often at most, after which nothing is left of any.
+    pub const MOST_HALVINGS: u32 = 16;
+
     /// Takes grey values with their place.
     ///
     /// # Errors
@@ -216,7 +218,7 @@ impl Orthophoto {
     /// [`Error::TooManyPixels`] for more than 16.8 million; [`Error::UnreadableImage`] for a damaged file.
     pub fn shown(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<Vec<u8>, Error> {
         let number = shown_pixels(size)?;
-        if halvings > MOST_HALVINGS { Ok(vec![0; number]) } else { self.picture.shown(first, size, halvings) }
+        if halvings > Self::MOST_HALVINGS { Ok(vec![0; number]) } else { self.picture.shown(first, size, halvings) }
     }
 
     /// Red, green, blue and alpha of such a part, pixel by pixel; alpha is 0 where it shows nothing, 255 elsewhere. Three equal values where the file has no
@@ -226,7 +228,7 @@ impl Orthophoto {
     /// As [`shown`](Self::shown).
     pub fn colours(&self, first: [usize; 2], size: [usize; 2], halvings: u32) -> Result<Vec<u8>, Error> {
         let number = shown_pixels(size)?;
-        if halvings > MOST_HALVINGS { Ok(vec![0; 4 * number]) } else { self.picture.colours(first, size, halvings) }
+        if halvings > Self::MOST_HALVINGS { Ok(vec![0; 4 * number]) } else { self.picture.colours(first, size, halvings) }
     }
 
     /// The share of many places of the picture that have a height.

@@ -122,6 +122,12 @@ pub(super) fn doubt_of_scan(side: Side, focal_mm: f64, interior: &Interior, size
     of_focal().or_else(of_rest)
 }
 
+/// What is to be said of the pixel of a camera beside that of a scan by its fiducial marks, which counts.
+pub(crate) fn unused_pixel(camera: &CameraMm, marks_mm: f64) -> Option<Warning> {
+    let pixel_mm = camera.pixel_mm.filter(|pixel_mm| contradict(*pixel_mm, marks_mm))?;
+    Some(Warning::UnusedPixel { pixel_mm, marks_mm })
+}
+
 fn doubt_of_principal(side: Side, interior: &Interior, (width, height): (usize, usize)) -> Option<Warning> {
     let sides = far_principal(interior.principal_point_px(), [width as f64, height as f64])?;
     Some(Warning::FarPrincipalPoint { side, sides, most: FARTHEST_PRINCIPAL })
@@ -218,6 +224,19 @@ mod tests {
         assert_eq!((doubt(&camera([3.0, 0.0])), scanned(6.0, &camera([3.0, 0.0]))), (None, None));
         assert_eq!((doubt(&camera([4.0, 0.0])), scanned(6.0, &camera([4.0, 0.0]))), (far(Side::Left), far(Side::Right)));
         assert!(matches!(scanned(0.006, &camera([0.0; 2])), Some(Warning::DoubtfulFocal { side: Side::Right, .. })));
+    }
+
+    #[test]
+    fn a_pixel_size_beside_fiducial_marks_that_give_another_is_named_with_both_and_no_weakness() {
+        let camera = |pixel_mm| CameraMm::without_distortion(152.5, pixel_mm);
+        let unused = unused_pixel(&camera(Some(0.014)), 0.127).unwrap();
+        assert_eq!(unused, Warning::UnusedPixel { pixel_mm: 0.014, marks_mm: 0.127 });
+        assert!(!unused.is_weakness());
+        let words = crate::Texts::english().text(&unused);
+        assert!(words.contains("0.0140 mm") && words.contains("0.127 mm"), "{words}");
+        for agreeing in [None, Some(0.127), Some(0.125)] {
+            assert_eq!(unused_pixel(&camera(agreeing), 0.127), None, "{agreeing:?}");
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The interior orientations of a pair: from fiducials, a given camera, or EXIF.
 
-use super::cameras::{KnownPhoto, PairCameras, are_scans, doubt_of_part, doubt_of_scan};
+use super::cameras::{KnownPhoto, PairCameras, are_scans, doubt_of_part, doubt_of_scan, unused_pixel};
 use super::input::{PairImage, PairInput, PhotoInput};
 use super::no_orientation::NoOrientation;
 use crate::error::refuse;
@@ -111,12 +111,15 @@ pub(super) fn pair_interior(
     let own = |side, camera, image: PairImage<'_>, photo: &PhotoInput| {
         let size = (image.grey.width(), image.grey.height());
         let interior = photo_interior(camera, size.0, size.1, photo)?;
-        let doubt = if photo.fiducials.is_empty() { None } else { doubt_of_scan(side, camera.focal_mm, &interior, size) };
+        let of_scan = || doubt_of_scan(side, camera.focal_mm, &interior, size).or_else(|| unused_pixel(camera, interior.pixel_mm()));
+        let doubt = if photo.fiducials.is_empty() { None } else { of_scan() };
         Ok::<_, Error>((interior, doubt))
     };
     let (left, left_doubt) = own(Side::Left, &left_camera, left, &input.left)?;
     let (right, right_doubt) = own(Side::Right, &right_camera, right, &input.right)?;
-    let doubt = doubt.or(left_doubt).or(right_doubt);
+    // What speaks against a camera stands before what is only to be said of it.
+    let (weak, mild) = [doubt, left_doubt, right_doubt].into_iter().flatten().partition::<Vec<_>, _>(Warning::is_weakness);
+    let doubt = weak.into_iter().chain(mild).next();
     // Only directions matter: the right photo is taken to the focal length of the left one.
     let focal_mm = left_camera.focal_mm;
     Ok(Ok(PairInterior { left, right: right.scaled(focal_mm / right_camera.focal_mm), focal_mm, doubt, one_lens, are_scans }))

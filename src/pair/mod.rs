@@ -20,6 +20,7 @@ mod verdict;
 mod verification;
 mod weakness;
 
+pub(crate) use cameras::unused_pixel;
 pub use cameras::{KnownPhoto, PairCameras};
 pub use described::{DescribedImage, describe_image};
 pub use epipolar::epipolar_line;

@@ -53,6 +53,8 @@ pub struct VerifiedMatches {
     pub matches: Vec<DescriptorMatch>,
     /// Its inliers are indices of `matches`: all of them. Or why there is none.
     pub geometry: Result<TwoView, NoGeometry>,
+    /// Whether both images have a frame in common, as scans of film have.
+    pub has_frame: bool,
 }
 
 /// Matches the features of two images: nearest descriptors, the geometry of the two views, then more matches along its epipolar lines (or
@@ -73,7 +75,8 @@ pub fn match_features(left: Located<'_>, right: Located<'_>, options: &FeatureMa
     let frame = options.sizes.and_then(|sizes| {
         CommonFrame::find(&first.iter().map(place).collect::<Vec<_>>(), sizes.map(|[width, height]| (width, height)), options.geometry.seed)
     });
-    verify(left, right, &first, |m| frame.is_some_and(|frame| frame.holds(&place(m))), &options.geometry)
+    let found = verify(left, right, &first, |m| frame.is_some_and(|frame| frame.holds(&place(m))), &options.geometry)?;
+    Ok(VerifiedMatches { has_frame: frame.is_some(), ..found })
 }
 
 /// Refuses features with positions and descriptors of different number.
@@ -101,7 +104,7 @@ pub(super) fn verify(
     let first: Vec<DescriptorMatch> = first.iter().filter(|m| !unwanted(m)).copied().collect();
     let start = match two_view(&positions(&first), options) {
         Ok(start) => start,
-        Err(error) => return Ok(VerifiedMatches { matches: Vec::new(), geometry: Err(NoGeometry::of(error)?) }),
+        Err(error) => return Ok(VerifiedMatches { matches: Vec::new(), geometry: Err(NoGeometry::of(error)?), has_frame: false }),
     };
     let agreeing: Vec<DescriptorMatch> = start.inliers.iter().map(|k| first[*k]).collect();
     let largest_distance = Some(farthest_alike(left, right, &agreeing));
@@ -125,7 +128,7 @@ pub(super) fn verify(
     };
     let (found, matches) = trusted(found, matches, positions, options);
     let geometry = Ok(TwoView { inliers: (0..matches.len()).collect(), ..found });
-    Ok(VerifiedMatches { matches, geometry })
+    Ok(VerifiedMatches { matches, geometry, has_frame: false })
 }
 
 /// How far apart descriptors of one place are at most, by matches that agree: few candidates near a line make any of them the nearest, and

@@ -39,6 +39,10 @@ pub struct RunInput {
     /// Whether an orthophoto is to place the block afterwards: then one or two control points, and check points alone, are of use.
     #[serde(skip_serializing_if = "is_false")]
     pub on_orthophoto: bool,
+    /// Whether masks that belong to none of the images are refused, in place of listed: an image whose mask has a slip in its name would have none. It
+    /// is of the call: a run does not keep it.
+    #[serde(skip_serializing_if = "is_false")]
+    pub refuse_stray_masks: bool,
 }
 
 impl PartlyGiven for RunInput {
@@ -74,6 +78,7 @@ impl Default for RunInput {
             geoid: None,
             positions: None,
             on_orthophoto: false,
+            refuse_stray_masks: false,
         }
     }
 }
@@ -112,6 +117,9 @@ impl RunInput {
         self.settings.placing.check_geoid(self.geoid.as_deref())?;
         check_names(&self.images)?;
         let (mask_of, unused_masks) = masks_of(&self.images, &self.masks)?;
+        if self.refuse_stray_masks && !unused_masks.is_empty() {
+            return refuse(Refusal::StrayMasks { masks: unused_masks });
+        }
         let rules = CameraRules::read(self.cameras.as_deref())?;
         let unused_cameras = rules.unused(&self.images)?;
         let control = self.control.as_ref().map(|texts| ControlTables::read(&texts.points, &texts.marks)).transpose()?;

@@ -25,6 +25,7 @@ mod host;
 mod images;
 mod input;
 mod job;
+mod like_scans;
 mod likeness;
 mod linked_places;
 mod mask_file;

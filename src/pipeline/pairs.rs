@@ -20,6 +20,7 @@ const MATCH: usize = 12;
 struct PairHead {
     outcome: PairOutcome,
     geometry: Option<TwoView>,
+    has_frame: bool,
 }
 
 /// Features by positions freed of what is known of the camera's distortion, with their numbers; without those where it folds the image.
@@ -74,7 +75,7 @@ pub(super) fn execute(task: &PairTask, records: [&[u8]; 2]) -> Result<Vec<u8>, E
     let kept: &[DescriptorMatch] = if is_connected { &found.matches } else { &[] };
     let features = column(kept.iter().flat_map(|m| [left.numbers[m.left], right.numbers[m.right]]), u32::to_le_bytes);
     let strengths = column(kept.iter().map(|m| -f64::from(m.square).sqrt() as f32), f32::to_le_bytes);
-    Ok(write_record(&task.key, &PairHead { outcome, geometry }, kept.len(), &[&features, &strengths]))
+    Ok(write_record(&task.key, &PairHead { outcome, geometry, has_frame: found.has_frame }, kept.len(), &[&features, &strengths]))
 }
 
 pub(super) struct Pairs {
@@ -86,7 +87,8 @@ pub(super) struct Pairs {
 impl Pairs {
     pub fn new(chosen: Vec<ChosenPair>) -> Self {
         let waiting = |pair: ChosenPair| Connection { images: pair.images, rule: pair.rule, outcome: PairOutcome::Waiting };
-        let matched = chosen.into_iter().map(|pair| Matched { connection: waiting(pair), geometry: None, matches: Vec::new() });
+        let matched =
+            chosen.into_iter().map(|pair| Matched { connection: waiting(pair), geometry: None, matches: Vec::new(), has_frame: false });
         let matched: Vec<Matched> = matched.collect();
         Self { next: 0, keys: vec![String::new(); matched.len()], matched }
     }
@@ -133,7 +135,8 @@ impl Stage for Pairs {
         let strengths = rows_of::<1, f32>(strengths, f32::from_le_bytes);
         let matches = rows_of(features, u32::from_le_bytes).into_iter().zip(strengths);
         let matches = matches.map(|(features, [strength])| FeatureMatch { features, strength }).collect();
-        let PairHead { outcome, geometry } = record.head;
+        let PairHead { outcome, geometry, has_frame } = record.head;
+        self.matched[item].has_frame = has_frame;
         Ok(Some(self.done(item, outcome, geometry, matches, state)))
     }
 

@@ -13,6 +13,7 @@ use super::stage::Stage;
 use super::state::State;
 use super::windows::WindowStage;
 use super::{BlockRun, SkippedImage};
+use crate::error::refuse;
 use crate::{Error, Failure, Interruption, PairRule, RefinementMethod, Refusal, SelectOptions, choose_pairs, select_points};
 use std::collections::BTreeMap;
 
@@ -72,7 +73,10 @@ impl Run {
     /// Whatever can be refused before the images are read: [`Error::InvalidOption`] for the settings, [`Error::InvalidJson`] for the file
     /// of cameras, [`Error::InvalidInput`] for names, masks, cameras, ground control points and image measurements.
     pub fn new(input: RunInput) -> Result<Self, Error> {
-        let state = State::new(input.clone(), input.checked(None)?);
+        if input.images.is_empty() {
+            return refuse(Refusal::FewImages { read: 0, given: 0, first: None, failure: None });
+        }
+        let state = State::new(RunInput { refuse_stray_masks: false, ..input.clone() }, input.checked(None)?);
         let phase = Phase::Images(Images::new(&state));
         let mut run = Self { state, phase, underway: BTreeMap::new(), next_id: 0, done: 0, found: 0, news: Vec::new() };
         run.step(String::new());

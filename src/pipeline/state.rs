@@ -4,6 +4,7 @@ use super::cameras::{check_distortion, contradicted, doubtful};
 use super::control::LEAST_CONTROL;
 use super::control_point::control_point;
 use super::input::{Checked, RunInput};
+use super::like_scans::cut_by_hand;
 use super::observed::observed_position;
 use super::system::{check_near, system_of, with_unit};
 use super::{BlockRun, ControlTables, GivenPosition, InitialCamera, JoinedPoints, RefinementTable, RunImage, SkippedImage};
@@ -14,7 +15,7 @@ use crate::{
     BlockDescription, BlockModel, CameraCaution, Connection, ControlRole, Error, ExifPosition, Failure, FeatureMatch, GroundControlRow,
     ImageFeatures, ImpossiblePosition, KnownImage, Reconstruction, Refusal, Remark, TiePoints, TwoView, local_from_geographic,
 };
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Positions of an image's features in px.
 pub(super) type Positions = Vec<[f32; 2]>;
@@ -32,6 +33,8 @@ pub(super) struct Matched {
     pub connection: Connection,
     pub geometry: Option<TwoView>,
     pub matches: Vec<FeatureMatch>,
+    /// Whether its images have a frame in common.
+    pub has_frame: bool,
 }
 
 /// What a run knows.
@@ -204,8 +207,21 @@ impl State {
         of.map(|(image, positions)| ImageFeatures { width_px: image.width_px, height_px: image.height_px, positions }).collect()
     }
 
+    /// Images that have a frame in common with others, or nearly their size, as scans of film do from which no image of an ideal camera was made.
+    fn like_scans(&self) -> Option<Remark> {
+        let framed: BTreeSet<u32> = self.pairs.iter().filter(|pair| pair.has_frame).flat_map(|pair| pair.connection.images).collect();
+        let is_unknown = |image: &RunImage| self.cameras[image.camera].focal_px.is_none();
+        let sizes_px = self.images.iter().map(|image| is_unknown(image).then_some([image.width_px, image.height_px]));
+        let cut = cut_by_hand(&sizes_px.collect::<Vec<_>>());
+        let is_like = |index: usize| cut[index] || framed.contains(&(index as u32));
+        let alike = self.images.iter().enumerate().filter(|(index, _)| is_like(*index));
+        let images: Vec<String> = alike.map(|(_, image)| image.name.clone()).collect();
+        (!images.is_empty()).then_some(Remark::LikeScans { images })
+    }
+
     /// What the run has found, once all of its stages are done.
     pub fn ended(self) -> Option<BlockRun> {
+        let like_scans = self.like_scans();
         let (connections, geometries) = self.pairs.into_iter().map(|pair| (pair.connection, pair.geometry)).unzip();
         Some(BlockRun {
             input: self.given,
@@ -213,7 +229,7 @@ impl State {
             skipped: self.skipped,
             unused_masks: self.input.unused_masks,
             unknown_images: self.unknown_images,
-            remarks: self.remarks,
+            remarks: self.remarks.into_iter().chain(like_scans).collect(),
             cameras: self.cameras,
             connections,
             geometries,

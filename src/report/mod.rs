@@ -12,6 +12,7 @@ mod step;
 mod steps;
 mod study;
 mod tables;
+mod thinned;
 mod unknowns;
 
 pub use input::{ReportEdits, ReportImage, ReportTruth};

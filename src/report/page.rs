@@ -3,6 +3,7 @@
 use super::input::ReportImage;
 use super::picture::{self, Layer};
 use super::steps::Report;
+use super::thinned::Thinned;
 use super::{camera, details, differences, tables};
 use crate::html::{count, dots, fixed, footer, page, percent, said, settings_table, typeset};
 use crate::{Error, GreyImage, PairSettings, Texts};
@@ -26,6 +27,7 @@ impl Report {
             h2 { (texts.say("report-images-points-and-matches")) }
             (self.pictures(texts))
             h2 { (texts.say("report-all-strategies")) }
+            @if let Some(thinned) = &self.thinned { p { (compared_on(texts, thinned)) } }
             (tables::counts(texts, self))
             (tables::refusals(texts, self))
             @if self.truth.is_some() { (tables::scores(texts, self)) }
@@ -122,4 +124,16 @@ impl Report {
             }
         }
     }
+}
+
+/// Which points the strategies are compared on, where these are not all.
+fn compared_on(texts: &Texts, Thinned { options, found: [left, right], taken }: &Thinned) -> String {
+    let figures = [
+        ("left_taken", count(taken[0])),
+        ("left", count(*left)),
+        ("right_taken", count(taken[1])),
+        ("right", count(*right)),
+        ("window", count(options.suppression_window)),
+    ];
+    texts.with("report-compared-on", figures)
 }

@@ -3,6 +3,7 @@
 use super::input::{ReportEdits, ReportImage, ReportTruth};
 use super::step::ReportStep;
 use super::study::{Study, plan, study};
+use super::thinned::{MOST, Thinned};
 use crate::{Error, PairInput, PairSettings};
 
 /// A report in the making: each step matches the pair in one way.
@@ -15,13 +16,17 @@ pub struct Report {
     pub(super) edits: Option<ReportEdits>,
     pub(super) plan: Vec<(ReportStep, PairSettings)>,
     pub(super) studies: Vec<Study>,
+    /// Points of an image on which strategies are compared.
+    pub(super) most_compared: usize,
+    /// What these are where the operator finds more.
+    pub(super) thinned: Option<Thinned>,
 }
 
 impl Report {
     /// A report of a pair; nothing is computed yet.
     pub fn new(images: [ReportImage; 2], input: PairInput, settings: PairSettings, truth: Option<ReportTruth>) -> Self {
         let plan = plan(&settings);
-        Self { images, input, settings, truth, edits: None, plan, studies: Vec::new() }
+        Self { images, input, settings, truth, edits: None, plan, studies: Vec::new(), most_compared: MOST, thinned: None }
     }
 
     /// The same of matches that were edited by hand: this run is made of them; the other strategies match by themselves.
@@ -41,6 +46,9 @@ impl Report {
     /// # Errors
     /// As [`match_pair`](crate::match_pair), and those of a truth that does not fit the images.
     pub fn step(&mut self) -> Result<bool, Error> {
+        if self.studies.len() == 1 {
+            self.thin()?;
+        }
         let Some((step, settings)) = self.plan.get(self.studies.len()) else { return Ok(false) };
         let edits = self.edits.as_ref().filter(|_| self.studies.is_empty());
         // What was edited is no result of these settings alone.
@@ -55,5 +63,16 @@ impl Report {
         };
         self.studies.push(study);
         Ok(true)
+    }
+
+    /// Has the strategies compared on no more points than end in time.
+    fn thin(&mut self) -> Result<(), Error> {
+        let compared = &mut self.plan[1..];
+        let Some((_, settings)) = compared.first() else { return Ok(()) };
+        self.thinned = Thinned::of(self.images.each_ref(), settings, self.most_compared)?;
+        if let Some(thinned) = &self.thinned {
+            compared.iter_mut().for_each(|(_, settings)| settings.points.clone_from(&thinned.options));
+        }
+        Ok(())
     }
 }

@@ -51,6 +51,7 @@ export type ErrorCode =
     | "invalid-json"
     | "invalid-option"
     | "not-converged"
+    | "not-loaded"
     | "not-written"
     | "too-few"
     | "too-many-pixels"

@@ -1,12 +1,15 @@
 //! Between JavaScript values and plain data.
 
 use crate::catalogue::shown;
-use crate::json::{self, JsonFault};
-use crate::{Document, Error, FileFault, FilePlace, InterestPoint, PartlyGiven, with_defaults};
+use crate::json::{self, JsonFault, JsonSlip};
+use crate::{Document, Error, FileFault, FilePlace, GreyImage, InterestPoint, PartlyGiven, with_defaults};
 use js_sys::{Array, Float32Array, Float64Array, Function, JSON, Object, Reflect, Symbol, Uint8Array};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
+use std::cell::RefCell;
+use std::ops::RangeInclusive;
+use std::rc::Rc;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
@@ -47,18 +50,24 @@ fn checked<T: PartlyGiven>(what: &'static str, given: Value) -> JsResult<T> {
 /// The JSON form of a value: null where it has none, as `undefined`. A number that JSON has not, which would become null and so read as
 /// absent, becomes its name and is refused. What JSON leaves out, or has as an empty object, is refused here.
 fn parsed(value: &JsValue) -> Result<Value, JsonFault> {
-    let named = Closure::<dyn Fn(JsValue, JsValue) -> JsResult<JsValue>>::new(|key: JsValue, value: JsValue| match value.as_f64() {
+    let lost = Rc::new(RefCell::new(None));
+    let found = Rc::clone(&lost);
+    let named = Closure::<dyn Fn(JsValue, JsValue) -> JsResult<JsValue>>::new(move |key: JsValue, value: JsValue| match value.as_f64() {
         Some(number) if number.is_nan() => Ok("NaN".into()),
         Some(number) if number.is_infinite() => Ok((if number > 0.0 { "Infinity" } else { "-Infinity" }).into()),
         Some(_) => Ok(value),
         None if is_lost(&value) => {
-            let (key, kind) = (key.as_string().unwrap_or_default(), kind_of(&value));
-            let named = if key.is_empty() { kind } else { format!("{key} is a {kind}") };
-            Err(js_sys::TypeError::new(&format!("{named}, which JSON does not have")).into())
+            let field = key.as_string().filter(|key| !key.is_empty());
+            let json_slip = Box::new(JsonSlip::NotInJson { value_kind: kind_of(&value) });
+            *found.borrow_mut() = Some(JsonFault::Value { field, json_slip, line: None, column: None });
+            Err(JsValue::NULL)
         }
         None => Ok(value),
     });
     let text = JSON::stringify_with_replacer(value, named.as_ref()).map_err(|threw| {
+        if let Some(fault) = lost.borrow_mut().take() {
+            return fault;
+        }
         let words = threw.dyn_ref::<js_sys::Error>().map_or_else(|| kind_of(&threw), |error| error.message().into());
         // Engines draw a circle in several lines.
         JsonFault::Text { words: words.split_whitespace().collect::<Vec<_>>().join(" "), line: None, column: None }
@@ -115,10 +124,22 @@ impl Bytes {
     pub fn read(&self, what: &'static str) -> JsResult<Vec<u8>> {
         bytes_of(self).ok_or_else(|| wrong(what, kind_of(self), "Uint8Array, Uint8ClampedArray or ArrayBuffer"))
     }
+
+    /// The same of the grey values of an image of this width and height, for which there may be no memory.
+    pub fn read_image(&self, what: &'static str, size: [usize; 2]) -> JsResult<Vec<u8>> {
+        let bytes = Reflect::get(self, &"byteLength".into()).ok().and_then(|length| length.as_f64()).unwrap_or_default();
+        GreyImage::check_memory(size, bytes as u64).map_err(thrown)?;
+        self.read(what)
+    }
 }
 
 #[wasm_bindgen]
 extern "C" {
+    /// The file of a project: its bytes, or its text, as it is written.
+    #[wasm_bindgen(typescript_type = "string | Uint8Array | Uint8ClampedArray | ArrayBuffer")]
+    #[derive(Clone)]
+    pub type ProjectFile;
+
     /// A text of JavaScript. What arrives as `&str` would be read from wherever a value of another type leads.
     #[wasm_bindgen(typescript_type = "string")]
     #[derive(Clone)]
@@ -138,6 +159,14 @@ extern "C" {
     #[wasm_bindgen(typescript_type = "Float64Array | readonly number[]")]
     #[derive(Clone)]
     pub type Numbers;
+}
+
+impl ProjectFile {
+    /// A copy of its bytes, or of its first ones. `what`: what they are.
+    pub fn read(&self, what: &'static str) -> JsResult<Vec<u8>> {
+        let bytes = self.as_string().map(String::into_bytes).or_else(|| bytes_of(self));
+        bytes.ok_or_else(|| wrong(what, kind_of(self), "string, Uint8Array, Uint8ClampedArray or ArrayBuffer"))
+    }
 }
 
 impl Text {
@@ -227,12 +256,17 @@ pub fn whole(what: &'static str, value: &Number) -> JsResult<usize> {
 
 /// The same, of the side of an image.
 pub fn side(what: &'static str, value: &Number) -> JsResult<u32> {
+    whole_from(what, value, 0..=u32::MAX)
+}
+
+/// A whole number of a range.
+pub fn whole_from(what: &'static str, value: &Number, range: RangeInclusive<u32>) -> JsResult<u32> {
     let value = value.read(what)?;
-    if value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value) {
+    let (min, max) = (*range.start(), *range.end());
+    if value.fract() == 0.0 && (f64::from(min)..=f64::from(max)).contains(&value) {
         return Ok(value as u32);
     }
-    let (got, wanted) = (shown(value.to_string()), format!("whole numbers from 0 to {}", u32::MAX));
-    Err(thrown(Error::InvalidArgument { what, got, wanted }))
+    Err(thrown(Error::InvalidArgument { what, got: shown(value.to_string()), wanted: format!("whole numbers from {min} to {max}") }))
 }
 
 /// Packs plain data as an object.

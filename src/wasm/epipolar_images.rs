@@ -1,6 +1,6 @@
 //! Epipolar images of a project.
 
-use super::convert::{Bytes, JsResult, TextList, object, pack, thrown};
+use super::convert::{Bytes, JsResult, ProjectFile, TextList, object, pack, thrown};
 use super::photo::Photo;
 use crate::{
     Bands, DecodeLimits, EpipolarGeometry, EpipolarImages, Error, StereoPair, decode_bands, read_project, write_anaglyph, write_bands,
@@ -34,7 +34,7 @@ pub struct EpipolarPair {
 impl EpipolarPair {
     /// Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
     /// that order in which the base goes to the right.
-    pub fn open(project: &Bytes, names: Option<TextList>) -> JsResult<EpipolarPair> {
+    pub fn open(project: &ProjectFile, names: Option<TextList>) -> JsResult<EpipolarPair> {
         let names = names.map(|names| names.read("names")).transpose()?;
         let names = names.map(<[String; 2]>::try_from).transpose().map_err(|names| {
             let got = format!("{} names", names.len());

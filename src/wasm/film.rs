@@ -4,7 +4,7 @@ use super::convert::{Bytes, JsResult, Numbers, Text, numbers, object, pack, read
 use crate::formats::image_measurement_table as table;
 use crate::{
     CameraRule, Error, ExifImage, FilmInput, FilmScan, FrameOfScan, ImageMeasurementRow, decode_scan, film_cameras as cameras,
-    film_frame as frame, film_pattern as pattern_of, film_pixel_mm as pixel, measurements_in_frames, write_png,
+    film_frame as frame, film_pattern as pattern_of, film_pixel_mm as pixel, film_warning as warning_of, measurements_in_frames, write_png,
 };
 use js_sys::{Object, Reflect, Uint8Array};
 use serde::Deserialize;
@@ -115,6 +115,13 @@ impl FrameWanted {
 #[wasm_bindgen]
 pub fn film_pixel_mm(#[wasm_bindgen(unchecked_param_type = "Given<FilmInput>")] film: &JsValue) -> JsResult<f64> {
     pixel(&read_options("film", film)?).map_err(thrown)
+}
+
+/// What is to be said of the camera of a scan: that the side of a pixel that it gives is another than that of the marks, and not used; null where there is
+/// nothing.
+#[wasm_bindgen(unchecked_return_type = "Warning | null")]
+pub fn film_warning(#[wasm_bindgen(unchecked_param_type = "Given<FilmInput>")] film: &JsValue) -> JsResult<JsValue> {
+    warning_of(&read_options("film", film)?).map(|warning| pack(&warning)).map_err(thrown)
 }
 
 /// The pattern of the names of frames of one film, whose first one has the camera `rule`, beside those of other films, whose cameras are `given`.

@@ -1,6 +1,6 @@
 //! A finished block in wasm memory: what it writes and shows.
 
-use super::convert::{Bytes, JsResult, Number, Text, emitting, numbers, object, pack, read, set, thrown, whole, wrong_project};
+use super::convert::{JsResult, Number, ProjectFile, Text, emitting, numbers, object, pack, read, set, thrown, whole, wrong_project};
 use super::message::texts_of;
 use crate::{
     BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockPlaces, BlockRun, BlockScore, Carrying, ExportFormat, FileFault, ImagePoint,
@@ -90,8 +90,8 @@ impl FinishedBlock {
 #[wasm_bindgen]
 impl FinishedBlock {
     /// Opens a project file; one that is damaged or of another kind is refused whole.
-    pub fn open(bytes: &Bytes) -> JsResult<FinishedBlock> {
-        match read_project(&bytes.read("file of the project")?).map_err(thrown)? {
+    pub fn open(file: &ProjectFile) -> JsResult<FinishedBlock> {
+        match read_project(&file.read("file of the project")?).map_err(thrown)? {
             Project::Block(run) => Ok(Self::of(*run)),
             Project::Pair(_) => Err(thrown(wrong_project(FileFault::HoldsPair))),
         }

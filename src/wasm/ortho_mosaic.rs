@@ -1,6 +1,6 @@
 //! The orthomosaic of a block, whose file is written as its images come.
 
-use super::convert::{Bytes, JsResult, Number, object, pack, thrown, whole, wrong_project};
+use super::convert::{Bytes, JsResult, Number, ProjectFile, object, pack, thrown, whole, wrong_project};
 use super::heights::read_heights;
 use crate::{DecodeLimits, FileFault, Heights, Mosaic, Project, decode_bands, read_project, write_heights};
 use js_sys::Uint8Array;
@@ -52,7 +52,7 @@ impl OrthoMosaic {
     /// pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
     /// adjustment, as the map of the page is.
     pub fn open(
-        project: &Bytes,
+        project: &ProjectFile,
         #[wasm_bindgen(unchecked_param_type = "number | Uint8Array | null")] heights: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Given<Sidecars> | null | undefined")] heights_sidecars: &JsValue,
         gsd: Option<Number>,

@@ -1,7 +1,9 @@
 //! Images placed on an orthophoto.
 
 use super::about::pack_groups;
-use super::convert::{Bytes, JsResult, Number, Numbers, Text, TextList, object, options_inside, pack, read, read_options, thrown, whole};
+use super::convert::{
+    Bytes, JsResult, Number, Numbers, Text, TextList, object, options_inside, pack, read, read_options, thrown, whole, whole_from,
+};
 use super::file_in_parts::file_source;
 use super::heights::{read_heights, read_sidecars};
 use crate::{
@@ -303,7 +305,7 @@ impl OrthophotoReference {
 /// A part of a picture that was halved: its first column and row, its width and height, and how often.
 fn part_of([column, row, width, height, halvings]: [&Number; 5]) -> JsResult<([usize; 2], [usize; 2], u32)> {
     let from = [whole("column", column)?, whole("row", row)?];
-    Ok((from, [whole("width", width)?, whole("height", height)?], whole("halvings", halvings)? as u32))
+    Ok((from, [whole("width", width)?, whole("height", height)?], whole_from("halvings", halvings, 0..=Orthophoto::MOST_HALVINGS)?))
 }
 
 /// What the file of an image may ask for: that of a scan of film is the same wherever it is read.

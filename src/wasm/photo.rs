@@ -1,6 +1,8 @@
 //! An image in wasm memory, and what is found in it.
 
-use super::convert::{Bytes, JsResult, Number, Numbers, Text, numbers, object, pack, points, read, read_options, set, thrown, whole};
+use super::convert::{
+    Bytes, JsResult, Number, Numbers, Text, numbers, object, pack, points, read, read_options, set, thrown, whole, whole_from,
+};
 use crate::{
     Bands, DecodeLimits, Decoded, DroneRecord, Error, ExifCamera, GreyImage, GreyView, PairImage, PairSettings, PointSet, Reduced,
     ReportImage, Strategy, WindowOptions, decode, describe, describe_image, detect, reduce_to, window_moments,
@@ -76,7 +78,8 @@ impl Photo {
 
     /// Takes grey values 0..255, row by row.
     pub fn from_grey(width: &Number, height: &Number, grey: &Bytes) -> JsResult<Photo> {
-        let grey = GreyImage::new(whole("width", width)?, whole("height", height)?, grey.read("grey values")?).map_err(thrown)?;
+        let size @ [width, height] = [whole("width", width)?, whole("height", height)?];
+        let grey = GreyImage::new(width, height, grey.read_image("grey values", size)?).map_err(thrown)?;
         Ok(Self { grey, format: "grey values", bits_per_sample: 8, camera: None, drone: None })
     }
 
@@ -111,7 +114,7 @@ impl Photo {
     /// The image halved until its longer side is at most `max_side` px.
     #[wasm_bindgen(unchecked_return_type = "ReducedImage")]
     pub fn reduced(&self, max_side: &Number) -> JsResult<JsValue> {
-        Ok(pack_reduced(&reduce_to(self.grey.view(), whole("longest side", max_side)?)))
+        Ok(pack_reduced(&reduce_to(self.grey.view(), whole_from("longest side", max_side, 1..=u32::MAX)? as usize)))
     }
 
     /// Finds interest points by the groups `points` and `multiscale` of the settings. Points whose pixel is 0 in the mask, of the image's size

@@ -1,6 +1,6 @@
 //! The project file of a pair, which is plain data on either side; that of a block is written and opened by `FinishedBlock`.
 
-use super::convert::{Bytes, JsResult, Numbers, object, pack, read, read_options, rows, set, thrown, wrong_project};
+use super::convert::{JsResult, Numbers, ProjectFile, object, pack, read, read_options, rows, set, thrown, wrong_project};
 use super::matching::{pack_matches, pack_pair, read_points};
 use super::simulate::{pack_score, read_score};
 use crate::{
@@ -45,7 +45,7 @@ export interface PairTruth {
 
 /// What a project file holds, by its first kilobyte; null for what is no project.
 #[wasm_bindgen(unchecked_return_type = "ProjectKind | null")]
-pub fn project_kind(start: &Bytes) -> JsResult<JsValue> {
+pub fn project_kind(start: &ProjectFile) -> JsResult<JsValue> {
     Ok(pack(&kind_of(&start.read("start of the file")?)))
 }
 
@@ -65,8 +65,8 @@ pub fn write_pair_project(#[wasm_bindgen(unchecked_param_type = "PairProject")] 
 
 /// Opens the project file of a pair; one that is damaged or of another kind is refused whole.
 #[wasm_bindgen(unchecked_return_type = "PairProject")]
-pub fn open_pair_project(bytes: &Bytes) -> JsResult<JsValue> {
-    match read_project(&bytes.read("file of the project")?).map_err(thrown)? {
+pub fn open_pair_project(file: &ProjectFile) -> JsResult<JsValue> {
+    match read_project(&file.read("file of the project")?).map_err(thrown)? {
         Project::Pair(run) => Ok(object([
             ("images", pack(&run.images)),
             ("input", pack(&run.input)),

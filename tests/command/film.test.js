@@ -315,6 +315,19 @@ function alike(first, ...others) {
   return at;
 }
 
+test('a pixel size of the camera that the marks contradict is named with theirs', () => {
+  const [scan = ''] = FILM.scans;
+  const call = (/** @type {number} */ pixel_mm) => {
+    const camera = file(folder(), 'film.json', JSON.stringify({ ...FILM.known, pixel_mm }));
+    return tiepoint('film', scan, '--camera', camera, '--out', join(folder(), 'out')).stderr;
+  };
+  assert.match(
+    call(0.014),
+    /film\.json: The pixel size of the camera, 0\.0140 mm, is not used: by the fiducial marks a pixel of the scan is 0\.075\d mm large\./,
+  );
+  assert.equal(call(0.075), '');
+});
+
 test('two films in one folder keep their cameras, with what is not known of each', () => {
   const out = folder();
   const [a, b, c, d] = FILM.scans;

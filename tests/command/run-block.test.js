@@ -241,3 +241,16 @@ test('two images of one name, and a single image, are refused', async () => {
   const broken = { ...one, name: 'a\nb.png' };
   await assert.rejects(runBlock([broken, one], OPTIONS, surroundings), /the name "a\\nb\.png", which holds a control character; allowed: names without them/);
 });
+
+test('a mask that belongs to none of the images is refused, or listed where that is asked for', async () => {
+  const strange = { name: 'zz.png', bytes: async () => grey_png(1, 1, new Uint8Array(1)) };
+  const run = (/** @type {object} */ more) => runBlock(SOURCES, { ...OPTIONS, masks: [strange], ...more }, { pool: HERE, store: memory() });
+  await assert.rejects(run({}), (/** @type {any} */ error) => {
+    assert.deepEqual([error.name, error.code], ['TiepointError', 'invalid-input']);
+    assert.match(error.message, /^masks: got zz\.png, which belongs to none of the images; allowed: masks with the names of images/);
+    return true;
+  });
+  await assert.rejects(run({ strayMasks: 'ignore' }), /^TiepointError: strayMasks is ignore; allowed: refuse, list$/);
+  const listed = await run({ strayMasks: 'list' });
+  assert.deepEqual(listed.overview().unused_masks, ['zz.png']);
+});

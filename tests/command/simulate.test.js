@@ -134,6 +134,21 @@ test('the report of a flight is one file that holds everything', () => {
   assert.match(tiepoint('report', ...match.slice(1)).stderr, /--out is missing/);
 });
 
+test('a report says in a pipe how far it is', () => {
+  const { at, match } = made();
+  const call = ['report', ...match.slice(1), '--out', join(at, 'report')];
+  const lines = tiepoint(...call)
+    .stderr.trimEnd()
+    .split('\n');
+  assert.equal(lines.length, 7);
+  for (const step of ['this run', 'moments', 'gradients'])
+    assert.ok(
+      lines.some((line) => new RegExp(`^matching: ${step} in [\\d.]+ s$`).test(line)),
+      step,
+    );
+  assert.equal(tiepoint(...call, '--json').stderr, '');
+});
+
 test('a report is in the language that is asked for', () => {
   const { at, match } = made();
   /** @param {string[]} more */

@@ -16,15 +16,20 @@ import {
   match_pair,
   message,
   orient_relative,
+  open_pair_project,
+  OrthoMosaic,
   OrthophotoReference,
+  parse_camera,
   Photo,
   placed_tables,
   positions_of_images,
+  project_kind,
   resolved,
   Run,
   scaled_interior,
   sha256,
   simulate,
+  write_pair_project,
 } from '../../pkg/node.js';
 
 /** @param {() => unknown} call @param {RegExp} pattern of the message @param {string} [code] */
@@ -56,7 +61,8 @@ test('bytes are taken as the language has them, of whatever window, and nothing 
     [{}, 'object'],
   ]))
     refused(() => Photo.decode(any(given)), new RegExp(`^file of the image: got ${name}; allowed: Uint8Array, Uint8ClampedArray or ArrayBuffer$`));
-  refused(() => FinishedBlock.open(any('project.tiepoint')), /^file of the project: got string; allowed/);
+  refused(() => FinishedBlock.open(any(5)), /^file of the project: got number; allowed: string, Uint8Array, Uint8ClampedArray or ArrayBuffer$/);
+  refused(() => FinishedBlock.open('project.tiepoint'), /'project\.tiepoint' is not the first line of a project/, 'unreadable-file');
   refused(() => sha256(any([1, 2])), /^bytes: got Array; allowed/);
   refused(
     () => OrthophotoReference.open(any(new DataView(PNG.slice().buffer))),
@@ -77,7 +83,7 @@ test('indices and sizes that are no whole numbers are refused, in place of other
   for (const side of [NaN, -1, 1.5, Infinity, 2 ** 32])
     refused(
       () => photo.reduced(side),
-      new RegExp(`^longest side: got ${String(side).replace('Infinity', 'inf')}; allowed: whole numbers from 0 to 4294967295$`),
+      new RegExp(`^longest side: got ${String(side).replace('Infinity', 'inf')}; allowed: whole numbers from 1 to 4294967295$`),
     );
   refused(() => photo.reduced(1e300), /^longest side: got 1e300; allowed/);
   assert.equal(photo.reduced(32).width, 32);
@@ -156,7 +162,7 @@ test('an object that is freed twice, or was moved into another one, is freed onc
   photo.free();
   photo.free();
   if (Symbol.dispose) photo[Symbol.dispose]();
-  const run = new Run({ images: [] });
+  const run = new Run({ images: ['a.png'] });
   assert.throws(() => run.finish(), { name: 'TiepointError' });
   run.free();
   if (Symbol.dispose) run[Symbol.dispose]();
@@ -173,7 +179,7 @@ test('what a run would refuse of positions and control points is asked with the 
   assert.ok(Math.abs((placed?.position.longitude_deg ?? 0) - 9) < 1e-9, JSON.stringify(placed));
   refused(() => positions_of_images(plane, names), /without a coordinate system/);
   refused(() => positions_of_images(plane, names, any({ crs: 25832 })), /^placing: crs: got a number; allowed: text$/, 'invalid-json');
-  refused(() => check_geoid('geoid.tif'), /geoid\.tif.*coordinate system/);
+  refused(() => check_geoid('geoid.tif'), /geoid\.tif without a coordinate system; .* \(placing\.crs\)$/);
   const [points, marks] = ['name,x,y,z\np,1,2,3\nq,2,2,3\nr,1,5,3\n', 'image,point,x,y\na.jpg,p,1,2\nb.jpg,p,2,2\n'];
   refused(() => check_control(points, marks, names, { geoid_m: 1e9 }), /^placing\.geoid_m is 1000000000; allowed/, 'invalid-option');
 });
@@ -185,9 +191,70 @@ test('a call before the module is loaded, and of an object that was freed, says 
   refused(() => photo.width, told);
   refused(() => match_pair(photo, photo, {}, {}), told);
   const browser = new URL('../../pkg/browser.js', import.meta.url).href;
-  const program = `import { Photo } from '${browser}'; try { Photo.decode(new Uint8Array(1)); } catch ({ message }) { console.log(message); }`;
+  const program = `import { Photo } from '${browser}';
+    try { Photo.decode(new Uint8Array(1)); } catch ({ name, code, usage, error, message }) { console.log(JSON.stringify({ name, code, usage, error, message })); }`;
   const { stdout } = spawnSync(process.execPath, ['--input-type=module', '--eval', program], { encoding: 'utf8' });
-  assert.equal(stdout, 'the module is not loaded: call the default export of tiepoint and wait for it first\n');
+  const error = { kind: 'not-loaded' };
+  // The crate could not be asked for its words.
+  assert.deepEqual(JSON.parse(stdout), { name: 'TiepointError', code: 'not-loaded', usage: false, error, message: message('error', any(error)) });
+  assert.match(stdout, /call load\(\)/);
+});
+
+test('a pair and a block are opened from what was written of them, and from its bytes', () => {
+  const photo = Photo.decode(PNG);
+  const { width: width_px, height: height_px, format, bits_per_sample, camera } = photo.info();
+  /** @returns {import('../../pkg/node.js').PairPhoto} */
+  const row = (/** @type {string} */ name) => ({ name, content: '00'.repeat(32), width_px, height_px, format, bits_per_sample, mask: null, camera });
+  const output = match_pair(photo, photo, {}, {});
+  const text = write_pair_project({ images: [row('a.png'), row('b.png')], input: {}, settings: {}, output, truth: null });
+  const bytes = new TextEncoder().encode(text);
+  for (const file of [text, bytes, bytes.buffer]) {
+    assert.deepEqual([project_kind(file), open_pair_project(file).images.map(({ name }) => name)], ['pair', ['a.png', 'b.png']]);
+    for (const open of [FinishedBlock.open, OrthoMosaic.open]) refused(() => open(file, any(null)), /pair/, 'unreadable-file');
+  }
+});
+
+test('grey values for which there is no memory are refused as images are', () => {
+  // None of it is touched: the module has no block of this size.
+  const grey = new Uint8Array(2 ** 31);
+  refused(() => Photo.from_grey(2 ** 16, 2 ** 15, grey), /^an image of 65536 x 32768 px needs about 2048 MB of memory; allowed: up to/, 'too-much-memory');
+});
+
+test('what leaves nothing of an image or a picture, or makes no block, is refused with what is allowed', () => {
+  const photo = Photo.decode(PNG);
+  refused(() => photo.reduced(0), /^longest side: got 0; allowed: whole numbers from 1 to 4294967295$/);
+  const { width, height } = /** @type {{ width: number, height: number }} */ (photo.reduced(1));
+  assert.deepEqual([width, height], [1, 1]);
+  const scene = new BlockScene({ strips: 1, exposures: 2, width_px: 64, height_px: 48, pixel_mm: 0.5 });
+  const reference = OrthophotoReference.open(scene.orthophoto(4).picture);
+  refused(() => reference.picture(0, 0, 1, 1, 99), /^halvings: got 99; allowed: whole numbers from 0 to 16$/);
+  refused(() => reference.colours(0, 0, 1, 1, 17), /^halvings: got 17; allowed/);
+  assert.equal(reference.picture(0, 0, 1, 1, 16).length, 1);
+  for (const input of [{}, { images: [] }]) refused(() => new Run(input), /^images of the block: got 0 .*; allowed: two or more$/);
+});
+
+test('what is wrong in an object or a text of JSON is said in the language that is asked for', () => {
+  /** @param {() => unknown} call */
+  const inArabic = (call) => {
+    try {
+      call();
+    } catch (error) {
+      return message('error', /** @type {any} */ (error).error, null, 'ar').replaceAll(/[\u2066-\u2069]/gu, '');
+    }
+    return '';
+  };
+  assert.match(
+    inArabic(() => parse_camera('{"focal_mm" 153}')),
+    /لا توجد نقطتان رأسيتان بين اسم الحقل وقيمته/u,
+  );
+  assert.match(
+    inArabic(() => parse_camera('{"focal_mm": 15')),
+    /ينتهي النص/u,
+  );
+  assert.match(
+    inArabic(() => resolved(any({ points: new Map() }))),
+    /points: أُعطي Map/u,
+  );
 });
 
 test('a message is of a family, and one that belongs to it', () => {

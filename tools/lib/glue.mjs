@@ -1,6 +1,7 @@
 /** The generated JavaScript of the module, with what a caller does wrong said in words of the package. */
 
-const UNLOADED = 'the module is not loaded: call the default export of tiepoint and wait for it first';
+/** As the crate says it, which can say nothing before it is loaded. */
+const UNLOADED = 'the module is not loaded: call load(), the default export of tiepoint, and wait for it first';
 
 /** Throws what the crate throws where it refuses an input.  @param {string} error code of it */
 const thrown = (error) =>
@@ -12,7 +13,9 @@ const PIECES = [
   [
     'let wasmModule, wasmInstance, wasm;',
     1,
-    `const unloaded = new Proxy({}, { get() { throw new Error('${UNLOADED}'); } });\nlet wasmModule, wasmInstance, wasm = unloaded;`,
+    `const unloaded = new Proxy({}, { get() {
+    throw Object.assign(new Error('${UNLOADED}'), { name: 'TiepointError', code: 'not-loaded', usage: false, error: { kind: 'not-loaded' } });
+} });\nlet wasmModule, wasmInstance, wasm = unloaded;`,
   ],
   ['if (wasm !== undefined) return wasm;', 2, 'if (wasm !== unloaded) return wasm;'],
   [

@@ -33,7 +33,7 @@ export async function blockRun({ files, options, masks, geoid, truth, workers, k
   try {
     const finished = await runBlock(
       files.map(sourceOf),
-      { ...options, masks: masks.map(sourceOf), ...(geoid && { geoid: sourceOf(geoid) }) },
+      { ...options, masks: masks.map(sourceOf), strayMasks: 'list', ...(geoid && { geoid: sourceOf(geoid) }) },
       {
         pool: link.pool(workers),
         store: storeOf(kept, link),
