@@ -63,7 +63,7 @@ pub use camera::{
     rotation_from_angles,
 };
 pub use catalogue::{CALL_PARAMETERS, Group, Parameter, ParameterKind, PartlyGiven, acting, with_defaults};
-pub use crs::{Geoid, coordinates_in_system, places_of_coordinates};
+pub use crs::{Geoid, HeightZero, coordinates_in_system, places_of_coordinates};
 pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
     features, gradient_features, window_moments,

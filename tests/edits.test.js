@@ -15,6 +15,7 @@ const MODULES = [
   'pair/state/edited',
   'pair/state/editing',
   'pair/state/edits',
+  'pair/state/kept',
   'pair/state/keys',
   'pair/state/listed',
   'pair/state/project',
@@ -351,8 +352,38 @@ test('a pair that is opened again has its edits again', () => {
   // The other order is another pair.
   assert.equal(show(state, 'b.jpg', 'a.jpg').history.edits.length, 0);
   state = show(state, 'a.jpg', 'b.jpg');
-  assert.equal(state.history, history);
+  assert.deepEqual(state.history, history);
   assert.equal(state.shelf.size, 0);
+});
+
+test('a match that is being measured is measured on when its pair is opened again, edited or not', () => {
+  const show = (/** @type {any} */ state, /** @type {string} */ left, /** @type {string} */ right) => {
+    const image = (/** @type {string} */ name, /** @type {number} */ id) => ({
+      id,
+      name,
+      source: { kind: 'file', file: new File([name], name, { lastModified: 1 }) },
+    });
+    return page.reducer.reduce(state, { type: 'images', images: { left: image(left, 1), right: image(right, 2) } });
+  };
+  const draft = { of: null, places: { left: [1.5, 2], right: null }, side: 'right' };
+  let state = page.reducer.reduce(show(opened(), 'a.jpg', 'b.jpg'), { type: 'tool', tool: 'measure' });
+  state = page.reducer.reduce(page.reducer.reduce(state, { type: 'draft', draft }), { type: 'notice', notice: null });
+  const other = page.reducer.reduce(show(state, 'c.jpg', 'd.jpg'), { type: 'tool', tool: 'look' });
+  assert.deepEqual([other.draft, other.history], [null, page.history.NO_HISTORY]);
+  const again = show(other, 'a.jpg', 'b.jpg');
+  assert.deepEqual([again.draft, again.tool, again.shelf.size], [draft, 'measure', 0]);
+  // One that was accepted or given up comes no more.
+  assert.equal(show(show(page.reducer.reduce(again, { type: 'draft', draft: null }), 'c.jpg', 'd.jpg'), 'a.jpg', 'b.jpg').draft, null);
+});
+
+test('a pair that was kept shows the match that was being measured, with its tool', () => {
+  const { settings, camera, photos, fiducialModel, offset, display, flight, images, masks } = opened();
+  const given = { typed: { settings, camera, photos, fiducialModel, offset }, display, flight, paused: false, images, masks, truth: null };
+  const kept = (/** @type {any} */ draft) =>
+    page.kept.withKept(page.state.INITIAL, { ...given, history: page.history.NO_HISTORY, shelf: new Map(), opened: {}, result: null, draft });
+  const draft = { of: [1, 2, 3, 4], places: { left: [1, 2], right: [5, 4] }, side: 'left' };
+  assert.deepEqual([kept(draft).draft, kept(draft).tool], [draft, 'measure']);
+  assert.deepEqual([kept(null).draft, kept(null).tool], [null, 'look']);
 });
 
 test('what an edit did is compared within one run: not with the orientation of other settings, and not waited for where none will come', () => {
@@ -493,16 +524,24 @@ test('the journal is read back as it was, an edit writes its last piece alone, a
   const edits = Array.from({ length: 150 }, (_, i) =>
     i % 3 === 0 ? { kind: 'add', id: i, at: [i, 1, 2, 3] } : { kind: 'reject', of: [[i, roll(100), 5, 6], i] },
   );
-  const shelf = new Map([['other', { edits: edits.slice(0, 2), done: 1 }]]);
+  const draft = { of: edits[1]?.of?.[0] ?? null, places: { left: [1.5, 2], right: null }, side: 'right' };
+  const shelf = new Map([['other', { edits: edits.slice(0, 2), done: 1, draft: { ...draft, of: 7 } }]]);
   const journal = new page.journal.Journal();
-  const kept = (/** @type {any} */ history) => new Map([...journal.parts({ history, shelf })].map(([part, { value }]) => [part, value]));
+  const kept = (/** @type {any} */ history) => new Map([...journal.parts({ history, draft, shelf })].map(([part, { value }]) => [part, value]));
   const before = kept({ edits, done: 149 });
   const stored = structuredClone(before);
-  assert.deepEqual(journal.read(stored), { history: { edits, done: 149 }, shelf });
+  assert.deepEqual(journal.read(stored), { history: { edits, done: 149 }, draft, shelf });
   const after = kept({ edits: [...edits, { kind: 'move', of: 3, to: [1, 2, 3, 4] }], done: 151 });
   const changed = [...after].filter(([part, value]) => before.get(part) !== value).map(([part]) => part);
   assert.deepEqual(changed.sort(), ['pair/edits', 'pair/edits/2']);
-  assert.deepEqual(journal.read(new Map()), { history: { edits: [], done: 0 }, shelf: new Map() });
+  assert.deepEqual(journal.read(new Map()), { history: { edits: [], done: 0 }, draft: null, shelf: new Map() });
+  // Earlier releases kept no match that was being measured.
+  const earlier = new Map([['other', { edits: [], done: 0 }]]);
+  assert.equal(journal.read(new Map([['pair/shelf', earlier]])).shelf.get('other').draft, null);
+  const damaged = (/** @type {object} */ own) => () => journal.read(new Map([['pair/draft', { ...draft, ...own }]]));
+  assert.throws(damaged({ side: 'top' }), /draft\.side is damaged/);
+  assert.throws(damaged({ places: { left: [1], right: null } }), /draft\.places\.left is damaged/);
+  assert.throws(damaged({ of: [1, 2, 3] }), /draft\.of is damaged/);
   stored.get('pair/edits/1')[0].kind = 'burn';
   assert.throws(() => journal.read(stored), /edits\[1\]\[0\]\.kind is damaged/);
 });

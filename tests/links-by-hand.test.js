@@ -8,7 +8,17 @@ import { pageModules } from './www.js';
 const page = {};
 
 before(async () => {
-  Object.assign(page, await pageModules(['block/state/links', 'block/state/state', 'block/state/steps', 'block/engine/link-hands']));
+  Object.assign(
+    page,
+    await pageModules([
+      'block/files/keep-draft',
+      'block/state/links',
+      'block/state/reducer',
+      'block/state/state',
+      'block/state/steps',
+      'block/engine/link-hands',
+    ]),
+  );
 });
 
 const LINKS = [
@@ -76,4 +86,52 @@ test('a link that is measured is given up by no press where it cannot be taken',
   const done = /** @type {object[]} */ ([]);
   new page.link_hands.LinkHands({ state, dispatch: (/** @type {object} */ action) => done.push(action) }, {}).accept();
   assert.deepEqual(done, []);
+});
+
+test('a link that is being measured is kept with its image, read as it was, and given up only with that', () => {
+  const { linkParts, withLink } = page.keep_draft;
+  const { placing } = page.state.BLOCK_INITIAL;
+  const draft = { at: [1.5, 2], place: null };
+  const measured = { ...placing, draft, chosen: { image: 7, link: null } };
+  assert.equal(linkParts(placing).size, 0);
+  assert.equal(linkParts(measured).get('block/link'), linkParts({ ...measured, adds: true }).get('block/link'));
+  const read = (/** @type {object} */ own, /** @type {object} */ change = {}) =>
+    withLink({ ...placing, ...own }, new Map([...linkParts(measured)].map(([name, { value }]) => [name, { ...structuredClone(value), ...change }])));
+  const placed = new Map([[7, {}]]);
+  assert.deepEqual(read({ placed }), { ...placing, placed, draft, chosen: { image: 7, link: null } });
+  assert.deepEqual(read({}), placing);
+  assert.equal(withLink(placing, new Map()), placing);
+  assert.throws(() => read({ placed }, { at: [1] }), /link\.at is damaged/u);
+});
+
+test('a project with a link that is being measured shows the orthophoto, beside a block too', () => {
+  const { BLOCK_INITIAL } = page.state;
+  const restored = (/** @type {object} */ own) => {
+    const { files, removed, options, flight, truth, shown, opened, history, former, marks, placing } = BLOCK_INITIAL;
+    const all = { files, removed, options, flight, truth, shown, opened, history, former, marks, draft: null, placing: { ...placing, ...own } };
+    return page.reducer.reduceBlock(BLOCK_INITIAL, { type: 'restored', restored: all });
+  };
+  assert.equal(restored({}).onStage, 'map');
+  assert.equal(restored({ draft: { at: null, place: [3, 4] }, chosen: { image: 7, link: null } }).onStage, 'orthophoto');
+});
+
+test('where the other end of a link is expected is asked of the end that was kept', async () => {
+  const { BLOCK_INITIAL } = page.state;
+  /** @type {object[]} */
+  const asked = [];
+  const placement = {};
+  const file = { id: 7, name: 'a.jpg', file: new Blob() };
+  const placed = new Map([[7, { key: 'k', result: { placement }, problem: '', found: null, steps: [], done: 0 }]]);
+  const expected = (/** @type {object} */ draft) => {
+    const placing = { ...BLOCK_INITIAL.placing, draft, chosen: { image: 7, link: null }, placed };
+    const engine = { predict: async (/** @type {object} */ _, /** @type {object} */ given) => asked.push(given) && [5, 6] };
+    return new page.link_hands.LinkHands({ state: { ...BLOCK_INITIAL, files: [file], placing } }, engine).expected();
+  };
+  assert.deepEqual(await expected({ at: [1, 2], place: null }), [5, 6]);
+  assert.deepEqual(await expected({ at: null, place: [3, 4] }), [5, 6]);
+  assert.deepEqual([await expected({ at: null, place: null }), await expected({ at: [1, 2], place: [3, 4] })], [null, null]);
+  assert.deepEqual(asked, [
+    { at: [1, 2], place: null },
+    { at: null, place: [3, 4] },
+  ]);
 });

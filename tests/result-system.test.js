@@ -9,7 +9,10 @@ import { pageModules } from './www.js';
 const page = {};
 
 before(async () => {
-  Object.assign(page, await pageModules(['block/state/columns', 'block/state/result-system', 'block/state/under', 'block/state/words']));
+  Object.assign(
+    page,
+    await pageModules(['block/state/columns', 'block/state/in-common', 'block/state/result-system', 'block/state/under', 'block/state/words']),
+  );
 });
 
 const ORIGIN = { longitude_deg: 8.5, latitude_deg: 50.1, height_m: 150 };
@@ -80,6 +83,41 @@ test('tables have the coordinates of the system of the results, with its code an
     page.words.describe(listed(view), { kind: 'point', point: 1 }),
     new RegExp(`X Y Z ${(wanted[0] ?? 0).toFixed(2)} ${(wanted[1] ?? 0).toFixed(2)}`),
   );
+});
+
+/** A geoid over the block that rises by 60 m a degree to the east, and by 20 m to the north. */
+const SLOPING = { name: 'sloping.gtx', south_west_deg: [8, 50], step_deg: [1, 0.5], columns: 2, heights_m: [20, 80, 30, 90] };
+const heightOfSloping = (/** @type {number} */ longitude, /** @type {number} */ latitude) => 20 + 60 * (longitude - 8) + 20 * (latitude - 50);
+
+test('heights count from the geoid at each place, not from that in the middle of the block', () => {
+  const places = [
+    [-3000, 0, 10],
+    [3000, 2000, 10],
+  ];
+  const points = { count: 2, taking: 2, rays: new Uint16Array(2), rmsePx: new Float64Array(2), positions: Float64Array.from(places.flat()), errors: [] };
+  const view = viewOf({ crs: 'EPSG:25832', system: 'ETRS89 / UTM zone 32N', geoidM: 52, geoid: SLOPING, points });
+  const rows = page.columns.rowsOf('points', listed(view));
+  const heights = places.map((place, row) => {
+    const [longitude = NaN, latitude = NaN] = geographic_positions([ORIGIN.longitude_deg, ORIGIN.latitude_deg, ORIGIN.height_m, ...place]);
+    const height = heightOfSloping(longitude, latitude);
+    isNear(valuesOf(rows, ['x', 'y', 'z'], row), there('EPSG:25832', place, height), 1e-3);
+    return height;
+  });
+  assert.ok(Math.abs((heights[1] ?? NaN) - (heights[0] ?? NaN)) > 4, `${heights}`);
+  // Given coordinates lie there again.
+  const [first = []] = places;
+  const position = valuesOf(rows, ['x', 'y', 'z'], 0);
+  const row = { name: 'A', position, standard_errors: null, role: 'control', sigma_px: null };
+  const [back] = page.in_common.inSystemOfBlock({ ...view, orthophoto: null }, [row], { crs: view.crs, heights: page.result_system.countedFrom(view) });
+  isNear(back, first, 2e-3);
+});
+
+test('the points of a result are converted once, however often it is shown', () => {
+  const view = viewOf({ crs: 'EPSG:25832', system: 'ETRS89 / UTM zone 32N' });
+  const { pointCoordinates } = page.result_system;
+  const coordinates = pointCoordinates(view);
+  assert.equal(pointCoordinates({ ...view, score: null }), coordinates);
+  assert.notEqual(pointCoordinates({ ...view, points: { ...view.points, positions: view.points.positions.slice() } }), coordinates);
 });
 
 test('coordinates as they were given stand beside those of the block only where they are others', () => {

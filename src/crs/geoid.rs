@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// The part of a geoid about a block: how high it lies above the ellipsoid at the nodes of a grid, between which it is interpolated in both directions.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(deny_unknown_fields)]
 pub struct Geoid {
     /// Of the file that it is from.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 /// Where the heights of a coordinate reference system count from.
 #[derive(Debug, Clone, Default)]
-pub(crate) enum HeightZero {
+pub enum HeightZero {
     /// From a level of their own.
     #[default]
     Unknown,
@@ -15,12 +15,17 @@ pub(crate) enum HeightZero {
 }
 
 impl HeightZero {
-    pub fn is_known(&self) -> bool {
+    /// Of a height that holds wherever the block is, unless a geoid is given.
+    pub fn of(above_m: Option<f64>, geoid: Option<Geoid>) -> Self {
+        geoid.map_or_else(|| above_m.into(), |geoid| Self::Geoid(Arc::new(geoid)))
+    }
+
+    pub(crate) fn is_known(&self) -> bool {
         !matches!(self, Self::Unknown)
     }
 
     /// Above the ellipsoid of WGS 84 at a longitude and latitude in degrees, in m; absent where it is not known.
-    pub fn above_m(&self, place: [f64; 2]) -> Option<f64> {
+    pub(crate) fn above_m(&self, place: [f64; 2]) -> Option<f64> {
         match self {
             Self::Unknown => None,
             Self::Level(above_m) => Some(*above_m),

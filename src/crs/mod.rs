@@ -19,7 +19,7 @@ mod zones;
 pub(crate) use definition::{Definition, HeightReference};
 pub(crate) use described::{Described, Projection};
 pub use geoid::Geoid;
-pub(crate) use height_zero::HeightZero;
+pub use height_zero::HeightZero;
 pub(crate) use positions::middle;
 pub use positions::{coordinates_in_system, places_of_coordinates};
 pub(crate) use system::CoordinateSystem;

@@ -10,14 +10,14 @@ use super::options::PlacingOptions;
 use super::reference::Orthophoto;
 use crate::error::refuse;
 use crate::pipeline::name_by_hand;
-use crate::{BlockEdit, ControlRole, Error, Failure, Refusal};
+use crate::{BlockEdit, ControlRole, Error, Failure, HeightZero, Refusal};
 
 /// The edit that adds a place X, Y of an orthophoto, in its system and unit, as a ground control point to a block. Its height is looked up. Its standard
 /// errors hold those of any place of the orthophoto (`options`), one px of it for the eye, and by how much the heights about it differ; its image
 /// measurements have one of a px. Edits after it measure it.
 ///
 /// `number`: of the places that were measured by hand so far, those that were given up included, from 1; the point is named by it. `system`: the coordinate
-/// reference system that the block has, with the height of its zero above the ellipsoid in m, where that is known; absent: its control points are in the
+/// reference system that the block has, with where its heights count from; absent: its control points are in the
 /// system of the orthophoto. What is to be said of the way there goes with the edit.
 ///
 /// # Errors
@@ -26,12 +26,12 @@ pub fn control_by_hand(
     number: usize,
     place: [f64; 2],
     orthophoto: &Orthophoto,
-    system: Option<(&str, Option<f64>)>,
+    system: Option<(&str, HeightZero)>,
     options: &PlacingOptions,
 ) -> Result<BlockEdit, Error> {
     options.check_ranges()?;
     let beyond = |crs: String, failure: Failure| Refusal::PlaceSystem { crs, failure }.into_error();
-    let into = system.map(|(crs, zero_m)| IntoSystem::into(crs, zero_m.into(), orthophoto)).transpose();
+    let into = system.map(|(crs, zero)| IntoSystem::into(crs, zero, orthophoto)).transpose();
     let into = into.map_err(|NoWay { crs, failure, .. }| beyond(crs, failure))?;
     let reference = in_metres(into.as_ref(), orthophoto);
     let [x, y] = place.map(|v| v * into.as_ref().map_or(1.0, IntoSystem::unit_m));
@@ -98,9 +98,11 @@ mod tests {
         assert!((errors[0] - 0.625).abs() < 1e-9, "0.375 m and 0.5 m: {errors:?}");
         assert!(errors[1] > 0.5 && errors[1] < 2.0, "{errors:?}");
         // In another system it is where that has it: 9° east is the central meridian of both, scaled otherwise.
-        let other = added(control_by_hand(1, [500_000.0, 5_399_900.0], &made, Some(("EPSG:25832", None)), &options).unwrap()).1;
+        let other =
+            added(control_by_hand(1, [500_000.0, 5_399_900.0], &made, Some(("EPSG:25832", HeightZero::Unknown)), &options).unwrap()).1;
         assert!((other[0] - 500_000.0).abs() < 1e-3 && (other[1] - 5_399_900.0).abs() < 1e-3, "{other:?}");
-        let degrees = added(control_by_hand(1, [500_000.0, 5_399_900.0], &made, Some(("EPSG:4326", None)), &options).unwrap()).1;
+        let degrees =
+            added(control_by_hand(1, [500_000.0, 5_399_900.0], &made, Some(("EPSG:4326", HeightZero::Unknown)), &options).unwrap()).1;
         assert!((degrees[0] - 9.0).abs() < 1e-7 && (degrees[1] - 48.75).abs() < 0.01, "{degrees:?}");
     }
 
@@ -108,7 +110,7 @@ mod tests {
     fn a_place_without_a_height_and_a_system_that_nothing_leads_to_are_refused() {
         let (made, options) = (orthophoto(), PlacingOptions::default());
         let refused = |place: [f64; 2], crs: Option<&str>| {
-            control_by_hand(1, place, &made, crs.map(|crs| (crs, None)), &options).unwrap_err().to_string()
+            control_by_hand(1, place, &made, crs.map(|crs| (crs, HeightZero::Unknown)), &options).unwrap_err().to_string()
         };
         assert!(refused([400_000.0, 5_399_900.0], None).contains("got [400000.0, 5399900.0]; allowed: where the ground"));
         assert!(refused([f64::NAN, 0.0], None).contains("NaN"));
@@ -118,7 +120,8 @@ mod tests {
         let mut made =
             Orthophoto::new(made.grey().unwrap(), Georeference::north_up([500_000.0, 5_400_000.0], 2e5), Heights::Level(0.0)).unwrap();
         made.epsg = Some(32632);
-        let beyond = control_by_hand(1, [5e7, 5_300_000.0], &made, Some(("EPSG:4326", None)), &options).unwrap_err().to_string();
+        let beyond =
+            control_by_hand(1, [5e7, 5_300_000.0], &made, Some(("EPSG:4326", HeightZero::Unknown)), &options).unwrap_err().to_string();
         assert!(beyond.contains("nothing leads to WGS 84") && beyond.contains("50000000"), "{beyond}");
     }
 
@@ -127,7 +130,7 @@ mod tests {
         let mut made = orthophoto();
         let Heights::Model(model) = made.heights else { panic!() };
         made.heights = Heights::Model(model.counting_from(4979));
-        let said = |system: Option<(&str, Option<f64>)>| match control_by_hand(
+        let said = |system: Option<(&str, HeightZero)>| match control_by_hand(
             1,
             [500_100.0, 5_399_900.0],
             &made,
@@ -139,7 +142,7 @@ mod tests {
             BlockEdit::AddControl { remarks, .. } => remarks,
             other => panic!("{other:?}"),
         };
-        let remarks = said(Some(("EPSG:25832", Some(46.8))));
+        let remarks = said(Some(("EPSG:25832", HeightZero::Level(46.8))));
         assert!(
             matches!(
                 &remarks[..],
@@ -148,7 +151,7 @@ mod tests {
             "{remarks:?}"
         );
         // Where nobody knows what heights of the block count from, and in the system of the orthophoto, there is nothing to say of them.
-        assert!(matches!(said(Some(("EPSG:25832", None)))[..], [Remark::OrthophotoConverted { .. }]));
+        assert!(matches!(said(Some(("EPSG:25832", HeightZero::Unknown)))[..], [Remark::OrthophotoConverted { .. }]));
         assert!(said(None).is_empty());
     }
 }

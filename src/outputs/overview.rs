@@ -10,7 +10,7 @@ use super::summary::{NamedReason, outcome_counts};
 use super::verdict::BlockVerdict;
 use super::warning::{OverviewWarning, overview_warnings};
 use super::with_text::WithText;
-use crate::{BlockModel, BlockRun, Camera, Error, GeographicOrigin, ObjectPoint, RefinementOutcome, Remark, SurveyedPoint};
+use crate::{BlockModel, BlockRun, Camera, Error, GeographicOrigin, Geoid, ObjectPoint, RefinementOutcome, Remark, SurveyedPoint};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -54,6 +54,8 @@ pub struct BlockOverview {
     pub crs: Option<String>,
     /// The height of the zero of its heights above the ellipsoid of WGS 84, in the middle of the block; absent where it is not known.
     pub geoid_m: Option<f64>,
+    /// The part about the block of the geoid from which they count; absent where none was given.
+    pub geoid: Option<Geoid>,
     /// Changes by hand.
     pub edits: usize,
     /// What is weak about the block.
@@ -146,6 +148,7 @@ impl BlockOverview {
             origin: run.model.origin,
             crs: run.input.settings.placing.crs.clone(),
             geoid_m: shown.system().and_then(|system| system.geoid_m),
+            geoid: run.geoid.clone(),
             edits: run.edits().len(),
             warnings: overview_warnings(run).into_iter().map(WithText::of).collect(),
         })

@@ -11,7 +11,6 @@ use crate::{BlockSettings, Document, Error, PartlyGiven, Refusal};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeSet;
-use std::sync::Arc;
 
 /// A block before its run: files by their names, whose bytes come with the jobs that need them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -108,7 +107,7 @@ pub(super) struct Checked {
 impl RunInput {
     /// Where the heights of the coordinate system count from, by the part of the geoid, where one is given.
     pub(crate) fn zero(&self, geoid: Option<&Geoid>) -> HeightZero {
-        geoid.map_or_else(|| self.settings.placing.geoid_m.into(), |geoid| HeightZero::Geoid(Arc::new(geoid.clone())))
+        HeightZero::of(self.settings.placing.geoid_m, geoid.cloned())
     }
 
     /// Reads and checks everything but the images. `geoid`: the part of the geoid, where one is given and was read.

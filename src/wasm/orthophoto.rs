@@ -4,10 +4,11 @@ use super::about::pack_groups;
 use super::convert::{
     Bytes, JsResult, Number, Numbers, Text, TextList, object, options_inside, pack, read, read_options, thrown, whole, whole_from,
 };
+use super::crs::CountedFrom;
 use super::file_in_parts::file_source;
 use super::heights::{read_heights, read_sidecars};
 use crate::{
-    CameraRules, DecodeLimits, Error, ExifImage, ExifPosition, FilmInput, FilmScan, GivenLink, GivenPosition, Heights, Orthophoto,
+    CameraRules, DecodeLimits, Error, ExifImage, ExifPosition, FilmInput, FilmScan, Geoid, GivenLink, GivenPosition, Heights, Orthophoto,
     PartlyGiven, PlacedImage, Placement, PlacingCamera, PlacingOptions, SCAN_LIMITS, SearchArea, control_by_hand, decode, decode_bands,
     ground_positions, image_positions, links_table, place_by_links, place_film, place_film_by_links, place_recorded, placed_table,
     rectify_placed, write_geotiff,
@@ -55,15 +56,13 @@ export interface ByLinks {
 }
 
 /** A place of the ground that becomes a ground control point of a block. */
-export interface PlaceByHand {
+export interface PlaceByHand extends CountedFrom {
     /** X and Y in the system of the orthophoto. */
     place: readonly [number, number];
     /** Its number among the places by hand, from 1, which names it. */
     number: number;
     /** The coordinate reference system that the block has; absent: its control points are in the system of the orthophoto. */
     crs?: string | null;
-    /** How high the zero of its heights is above the ellipsoid, in m; absent where that is not known. */
-    geoid_m?: number | null;
     /** As of `search`; absent: those that it had. */
     options?: Given<PlacingOptions> | null;
 }
@@ -87,6 +86,7 @@ struct PlaceByHand {
     number: usize,
     crs: Option<String>,
     geoid_m: Option<f64>,
+    geoid: Option<Geoid>,
     options: Option<Value>,
 }
 
@@ -259,9 +259,10 @@ impl OrthophotoReference {
     /// The edit that adds a place of the ground, measured by eye, as a ground control point to a block; edits after it measure it in images.
     #[wasm_bindgen(unchecked_return_type = "Extract<BlockEdit, { kind: 'add_control' }>")]
     pub fn control_by_hand(&self, #[wasm_bindgen(unchecked_param_type = "PlaceByHand")] given: &JsValue) -> JsResult<JsValue> {
-        let PlaceByHand { place, number, crs, geoid_m, options } = read("place", given)?;
+        let PlaceByHand { place, number, crs, geoid_m, geoid, options } = read("place", given)?;
         let options = options_inside("placing", options)?.unwrap_or_else(|| self.options.clone());
-        control_by_hand(number, place, &self.orthophoto, crs.as_deref().map(|crs| (crs, geoid_m)), &options)
+        let zero = CountedFrom { geoid_m, geoid }.zero()?;
+        control_by_hand(number, place, &self.orthophoto, crs.as_deref().map(|crs| (crs, zero)), &options)
             .map(|edit| pack(&edit))
             .map_err(thrown)
     }

@@ -2,24 +2,26 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { FinishedBlock } from '../../pkg/node.js';
+import { pageModules } from '../www.js';
 import { file, folder, json, tiepoint } from './command.js';
 
 const FLIGHT = ['--strips', '1', '--exposures', '3', '--width-px', '480', '--height-px', '360', '--pixel-mm', '0.15'];
 const UTM = ['--crs', 'EPSG:32632'];
 
-/** About simulated blocks, which lie at 8° and 50°: its height rises by 4 m a degree to the east.  @param {number} longitude */
-const heightOf = (longitude) => 47 + 4 * (longitude - 8);
+/** About simulated blocks, which lie at 8° and 50°: its height rises by 4 m a degree to the east, and by so many to the north. */
+const heightOf = (/** @type {number} */ longitude, /** @type {number} */ latitude, north = 0) => 47 + 4 * (longitude - 8) + north * (latitude - 50);
 
 const [WEST, SOUTH, STEP, SIDE] = [7, 49, 0.25, 9];
 
-/** The heights row by row, the same from the north and from the south. */
-const heights = () => Array.from({ length: SIDE * SIDE }, (_, k) => heightOf(WEST + STEP * (k % SIDE)));
+/** The heights row by row from the south; where they do not rise to the north the same from there. */
+const heights = (north = 0) => Array.from({ length: SIDE * SIDE }, (_, k) => heightOf(WEST + STEP * (k % SIDE), SOUTH + STEP * Math.floor(k / SIDE), north));
 
-function gtx() {
+function gtx(north = 0) {
   const bytes = Buffer.alloc(40 + 4 * SIDE * SIDE);
   for (const [k, value] of [SOUTH, WEST, STEP, STEP].entries()) bytes.writeDoubleBE(value, 8 * k);
   for (const [k, value] of [SIDE, SIDE].entries()) bytes.writeInt32BE(value, 32 + 4 * k);
-  for (const [k, value] of heights().entries()) bytes.writeFloatBE(value, 40 + 4 * k);
+  for (const [k, value] of heights(north).entries()) bytes.writeFloatBE(value, 40 + 4 * k);
   return bytes;
 }
 
@@ -90,6 +92,33 @@ test('heights of a block count from a geoid in GTX and in GeoTIFF alike', () => 
   );
   const [one = NaN, other = NaN] = found.map((crs) => crs.geoid_m);
   assert.ok(Math.abs(one - 47) < 0.05 && Math.abs(one - other) < 1e-3, `${one} ${other}`);
+});
+
+/** Rows of a table as numbers by the names of their columns.  @param {string} path @param {readonly string[]} names */
+function numbersOf(path, names) {
+  const [head = '', ...rows] = readFileSync(path, 'utf8').trim().split('\n');
+  const places = names.map((name) => head.split(',').indexOf(name));
+  return rows.map((row) => places.map((place) => Number(row.split(',')[place])));
+}
+
+test('tables of the page have the coordinates that the command writes, where the geoid slopes, to 1 mm from one end of the block to the other', async () => {
+  const page = await pageModules(['block/engine/outcome', 'block/state/columns']);
+  const out = join(AT, 'sloping');
+  summaryOf(...UTM, '--geoid', file(AT, 'sloping.gtx', gtx(100)), '--out', out);
+  const block = FinishedBlock.open(readFileSync(join(out, 'project.tiepoint')));
+  // As it comes from its worker.
+  const view = structuredClone(page.outcome.viewOf(block));
+  block.free();
+  for (const [subject, keys] of Object.entries({ images: ['X', 'Y', 'Z'], points: ['x', 'y', 'z'] })) {
+    const written = numbersOf(join(out, `${subject}.csv`), ['x', 'y', 'z']);
+    const { columns } = page.columns.rowsOf(subject, { view, given: [], asGiven: undefined });
+    const shown = written.map((_, row) => keys.map((key) => columns.find((/** @type {any} */ column) => column.key === key).value(row)));
+    const apart = written.flatMap((row, i) => row.map((value, k) => Math.abs(value - (shown[i]?.[k] ?? NaN))));
+    assert.ok(written.length > 2 && apart.every((value) => value < 1e-3), `${subject}: ${Math.max(...apart)} m`);
+  }
+  // By more than that the geoid differs from one end to the other.
+  const [south, north] = [Math.min, Math.max].map((of) => of(...numbersOf(join(out, 'points.csv'), ['y']).flat()));
+  assert.ok((100 * ((north ?? NaN) - (south ?? NaN))) / 111_000 > 0.05, `${south} to ${north}`);
 });
 
 test('a geoid that no heights count from, and what is none, are refused', () => {

@@ -29,6 +29,8 @@ import {
   scaled_interior,
   sha256,
   simulate,
+  system_coordinates,
+  system_positions,
   write_pair_project,
 } from '../../pkg/node.js';
 
@@ -274,4 +276,21 @@ test('a search that is refused leaves the orthophoto as it was', () => {
   assert.equal(reference.search({}), points);
   reference.free();
   scene.free();
+});
+
+test('heights of a system count from a number or from the grid of a geoid, which is refused where it is none', () => {
+  const geoid = { name: 'small.gtx', south_west_deg: [8, 50], step_deg: [1, 1], columns: 2, heights_m: [40, 50, 40, 50] };
+  const place = [8.25, 50.5, 300];
+  const height = (/** @type {any} */ ...heights) => system_coordinates('EPSG:32632', place, ...heights)[2];
+  assert.deepEqual(
+    [height(), height(null), height({}), height({ geoid_m: 46.5 }), height(any({ geoid })), height(any({ geoid_m: 46.5, geoid }))],
+    [300, 300, 300, 253.5, 257.5, 257.5],
+  );
+  const back = system_positions('EPSG:32632', system_coordinates('EPSG:32632', place, any({ geoid })), any({ geoid }));
+  assert.ok(Math.abs((back[2] ?? 0) - 300) < 1e-3, `${back}`);
+  refused(() => height({ geoid: { ...geoid, heights_m: [40, 50, 40] } }), /^geoid: got small\.gtx; allowed: a grid of two rows/);
+  refused(() => height({ geoid: { ...geoid, columns: 0 } }), /^geoid: got small\.gtx/);
+  refused(() => height({ geoid_m: NaN }), /^heights: geoid_m/, 'invalid-json');
+  refused(() => height({ geoidM: 1 }), /geoidM/, 'invalid-json');
+  refused(() => system_coordinates('EPSG:4979', place, { geoid_m: 46.5 }), /46\.5/);
 });

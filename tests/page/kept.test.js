@@ -81,17 +81,21 @@ const stored = (page, store, briefly = false) =>
     /** @type {const} */ ([store, briefly]),
   );
 
-/** Waits until the storage holds a part in which a text stands.  @param {Page} page @param {string} name @param {string} [text] */
-async function kept(page, name, text = '') {
-  await until(page, `${name} with ${text} is kept`, async () =>
-    (await stored(page, 'parts', true)).some((row) => row.part.startsWith(name) && row.text.includes(text)),
-  );
+/** The parts of the project of a tab, results as briefly as `stored` has them: those of a pair that was put aside are whole, whatever the tab has.  @param {Page} page */
+async function own(page) {
+  const project = await page.evaluate(() => sessionStorage.getItem('tiepoint-project'));
+  return (await stored(page, 'parts', true)).filter((row) => row.project === project);
 }
 
-/** Waits until the storage holds the results of what it holds of files and fields.  @param {Page} page */
+/** Waits until the project of a tab is kept with a part in which a text stands.  @param {Page} page @param {string} name @param {string} [text] */
+async function kept(page, name, text = '') {
+  await until(page, `${name} with ${text} is kept`, async () => (await own(page)).some((row) => row.part.startsWith(name) && row.text.includes(text)));
+}
+
+/** Waits until the project of a tab is kept with the results of its files and fields.  @param {Page} page */
 async function whole(page) {
   await until(page, 'the results are kept', async () => {
-    const parts = await stored(page, 'parts', true);
+    const parts = await own(page);
     const [given, result] = ['pair', 'pair/result'].map((name) => JSON.parse(parts.find((row) => row.part === name)?.text || 'null'));
     const files = given && [given.images.left, given.images.right, given.masks.left, given.masks.right].map((file) => file?.file ?? null);
     return result !== null && result.of === JSON.stringify(files) && isDeepStrictEqual(result.typed, given.typed);
@@ -397,7 +401,7 @@ for (const locks of [true, false])
     assert.ok((await stored(page, 'parts')).every(({ text }) => !text.includes('"focal_mm":55')));
     await part(page, 'keeping-new').click();
     await kept(page, 'pair', '"focal_mm":55');
-    await kept(page, 'pair', '"focal_mm":66');
+    await kept(second, 'pair', '"focal_mm":66');
     assert.equal((await stored(page, 'projects')).length, 2);
     assert.ok(await part(page, 'keeping').isHidden());
     assert.deepEqual(complaints, []);

@@ -36,17 +36,21 @@ export class LinkHands {
     this.store.dispatch({ type: 'linkDraft', draft: begins ? { at: null, place: null } : null });
   }
 
-  /** One end of the link that is measured; the other one is predicted where the image is placed. */
-  async place(end: 'at' | 'place', position: [number, number]): Promise<[number, number] | null> {
+  /** One end of the link that is measured, and what is expected of the other one. */
+  place(end: 'at' | 'place', position: [number, number]): Promise<[number, number] | null> {
     const { draft } = this.store.state.placing;
-    const { image } = this;
-    if (draft === null || image === null) return null;
-    const next = { ...draft, [end]: position };
-    this.store.dispatch({ type: 'linkDraft', draft: next });
-    const placement = image.result?.placement ?? null;
-    if (placement === null || (next.at !== null && next.place !== null)) return null;
+    if (draft === null || this.image === null) return Promise.resolve(null);
+    this.store.dispatch({ type: 'linkDraft', draft: { ...draft, [end]: position } });
+    return this.expected();
+  }
+
+  /** Where the end that is not measured yet is predicted; null where both are or none is, and where the image is not placed. */
+  async expected(): Promise<[number, number] | null> {
+    const { draft } = this.store.state.placing;
+    const placement = this.image?.result?.placement ?? null;
+    if (draft === null || placement === null || (draft.at === null) === (draft.place === null)) return null;
     try {
-      return await this.engine.predict(placement, end === 'at' ? { at: position, place: null } : { at: null, place: position });
+      return await this.engine.predict(placement, draft);
     } catch {
       // It is measured without a prediction.
       return null;

@@ -2,6 +2,7 @@
 import { BlockScene, image_position, OrthoMosaic, OrthophotoReference, Photo } from '../../../pkg/wasm/tiepoint.js';
 import type {
   BlockFlight,
+  CountedFrom,
   ExifPosition,
   FileInParts,
   Georeference,
@@ -96,8 +97,8 @@ export interface ControlInput extends Pick<PlaceInput, 'ground' | 'options'> {
   number: number;
   /** Of the block; null: none. */
   crs: string | null;
-  /** The height of the zero of its heights above the ellipsoid, m; null where it is not known. */
-  geoidM: number | null;
+  /** Where its heights count from. */
+  heights: CountedFrom;
 }
 
 export interface LaidInput {
@@ -243,9 +244,9 @@ export async function orthoPredict({ ground, placement, at, place }: PredictInpu
 }
 
 /** The edit that adds a place of the orthophoto to a block. */
-export async function orthoControl({ ground, options, place, number, crs, geoidM }: ControlInput): Promise<AddedControl> {
+export async function orthoControl({ ground, options, place, number, crs, heights }: ControlInput): Promise<AddedControl> {
   const { reference } = await opened(ground);
-  return reference.control_by_hand({ place, number, crs, geoid_m: geoidM, options });
+  return reference.control_by_hand({ place, number, crs, ...heights, options });
 }
 
 /** A placed image on the ground, as GeoTIFF. */

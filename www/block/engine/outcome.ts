@@ -31,6 +31,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     origin,
     crs,
     geoid_m,
+    geoid,
     points,
   } = block.overview();
   const connections = pairs.map(connectionOf);
@@ -114,6 +115,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     crs,
     system: remarks.find((remark) => remark.kind === 'result_system')?.crs ?? null,
     geoidM: geoid_m,
+    geoid,
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,
     checks,

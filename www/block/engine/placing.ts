@@ -7,6 +7,7 @@ import { placingKey, placingKeyOf, unplacedFiles } from '../state/placed';
 import { filmOf } from '../state/film';
 import { givenPositions } from '../state/given-positions';
 import { NO_PLACING } from '../state/placing';
+import { countedFrom } from '../state/result-system';
 import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
 import type { BlockFile } from '../state/state';
 import type { BlockView } from '../state/view';
@@ -217,11 +218,11 @@ export class PlacingEngine {
   }
 
   /** The edit that adds a place X, Y of the orthophoto to a block. `crs`: the coordinate reference system of that; null: that of the orthophoto. */
-  controlByHand(place: readonly [number, number], number: number, { crs, geoidM }: Pick<BlockView, 'crs' | 'geoidM'>): Promise<AddedControl> {
+  controlByHand(place: readonly [number, number], number: number, view: Pick<BlockView, 'crs' | 'geoidM' | 'geoid'>): Promise<AddedControl> {
     const { ground } = this;
     const { options } = this.store.state.placing;
     if (ground === null || options === null) return Promise.reject(new Error('no orthophoto is given'));
-    return this.waited(() => this.shower.call('orthoControl', { ground, options, place, number, crs, geoidM }));
+    return this.waited(() => this.shower.call('orthoControl', { ground, options, place, number, crs: view.crs, heights: countedFrom(view) }));
   }
 
   /** A placed image resampled to the ground, as GeoTIFF. */

@@ -1,12 +1,15 @@
-/** The point that is measured by hand, before it is accepted, as the browser keeps it. */
+/** The point that is measured by hand, and the link of an image to an orthophoto, before they are accepted, as the browser keeps them. */
 import type { Kept } from '../../shared/files/database';
-import { likeOf, listOf, objectOf, orNull } from '../../shared/files/keepable';
+import { likeOf, listOf, objectOf, orNull, positionFrom } from '../../shared/files/keepable';
 import { remember } from '../../shared/state/remember';
 import type { KeptDraft } from '../state/draft';
 import type { Draft } from '../state/edited';
+import type { Placing } from '../state/placing';
+import type { LinkDraft } from '../state/steps';
 import { placeFrom, sourceFrom } from './edit';
 
 const DRAFT = 'block/draft';
+const LINK = 'block/link';
 /** About what a place takes, in bytes. */
 const OF_PLACE = 60;
 
@@ -21,6 +24,22 @@ const keptDraft = remember(
     bytes: OF_PLACE * (1 + places.size),
   }),
 );
+
+/** What is kept of a link that is measured in the chosen image; nothing where none is. */
+export function linkParts({ draft, chosen }: Placing): Map<string, Kept> {
+  return new Map(draft === null || chosen.image === null ? [] : [[LINK, keptLink(draft, chosen.image)]]);
+}
+
+const keptLink = remember(({ at, place }: LinkDraft, image: number): Kept => ({ value: { image, at, place }, bytes: 2 * OF_PLACE }));
+
+/** What is placed with the link that is measured on in its image; one of an image that is not there is given up. @throws Error naming what is damaged */
+export function withLink(placing: Placing, parts: ReadonlyMap<string, unknown>): Placing {
+  if (!parts.has(LINK)) return placing;
+  const kept = objectOf(parts.get(LINK), 'link');
+  const image = likeOf(kept.image, 0, 'link.image');
+  const [at, place] = [orNull(kept.at, (own) => positionFrom(own, 'link.at')), orNull(kept.place, (own) => positionFrom(own, 'link.place'))];
+  return placing.placed.has(image) ? { ...placing, draft: { at, place }, chosen: { image, link: null } } : placing;
+}
 
 /** `images`: so many the block has. Earlier releases kept none. @throws Error naming what is damaged */
 export function draftFrom(parts: ReadonlyMap<string, unknown>, images: number): KeptDraft | null {

@@ -18,7 +18,7 @@ import type { ImageVerdict, OnGround } from '../state/placing';
 import { bytesOfMarks, bytesOfStep, markStepFrom, stepFrom } from './edit';
 import { withPresentKeys } from './earlier-keys';
 import { passIds } from './ids';
-import { draftFrom, draftParts } from './keep-draft';
+import { draftFrom, draftParts, linkParts, withLink } from './keep-draft';
 import { formerFrom, formerParts, placesFrom } from './keep-former';
 import { keptPlacing, placingFrom, rastersOf, sizeOfPlaced } from './keep-placing';
 import { messageOf } from '../../shared/text/messages';
@@ -95,7 +95,7 @@ export class KeptBlocks implements Keepable {
     for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
     for (const [name, part] of this.marks.parts(state.marks)) parts.set(name, part);
     for (const [name, part] of formerParts(state.former, state.history)) parts.set(name, part);
-    for (const [name, part] of draftParts(state.draft, state.panes.images)) parts.set(name, part);
+    for (const [name, part] of [...draftParts(state.draft, state.panes.images), ...linkParts(placing)]) parts.set(name, part);
     if (made !== null && made.found === shown?.found)
       parts.set(SHOWN, { value: made.kept, bytes: SMALL + made.kept.project.size + (made.kept.ground?.before.size ?? 0) });
     // Of images that were all removed nothing is left to go on with.
@@ -114,7 +114,7 @@ export class KeptBlocks implements Keepable {
     const geoid = orNull(kept.geoid, (file) => fileFrom(parts, file));
     const placed = new Map([...parts].flatMap(([part, value]) => (part.startsWith(PLACED) ? [[Number(part.slice(PLACED.length)), value] as const] : [])));
     const given = placingFrom(kept.placing, placed, this.catalogue, fileOf, (file) => fileFrom(parts, file));
-    const placing = withPresentKeys(given, files, kept.options);
+    const placing = withLink(withPresentKeys(given, files, kept.options), parts);
     const history = this.journal.read(parts);
     const marks = this.marks.read(parts);
     const { former, damage } = formerOrNone(parts, history);

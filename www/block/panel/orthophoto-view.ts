@@ -78,7 +78,7 @@ export function orthophotoView(engine: BlockEngine, facts: Facts, placing: Placi
       image.ground = plan;
       plan.watch(() => fill(place, plan.place === null ? '' : `X ${fixed(plan.place[0], 2)}  Y ${fixed(-plan.place[1], 2)}`));
       image.watch(() => fill(at, image.place === null ? '' : say('column-row', { place: image.place[0], place_2: image.place[1] })));
-      follow(store, plan, image, beside, name);
+      follow(store, hands, plan, image, beside, name);
       store.watch(['placing', 'files', 'options', 'shown', 'history'], () => {
         element.classList.toggle('has-block', blockOnOrthophoto(store.state) !== null);
         const text = chosenText(store);
@@ -95,9 +95,10 @@ export function orthophotoView(engine: BlockEngine, facts: Facts, placing: Placi
 }
 
 /** Both pictures go where the choice is, which may be made elsewhere. */
-function follow(store: BlockStore, plan: OrthophotoPlan, image: PlacedImageView, beside: HTMLElement, name: HTMLElement): void {
+function follow(store: BlockStore, hands: LinkHands, plan: OrthophotoPlan, image: PlacedImageView, beside: HTMLElement, name: HTMLElement): void {
   let [of, link] = [store.state.placing.chosen.image, store.state.placing.chosen.link];
-  store.watch(['placing', 'files', 'options', 'shown'], ([{ chosen }]) => {
+  let isMeasured = false;
+  store.watch(['placing', 'files', 'options', 'shown'], ([{ chosen, draft }]) => {
     const placed = chosenPlaced(store.state);
     const placement = placed?.result?.placement ?? null;
     beside.hidden = (placed?.result ?? null) === null;
@@ -105,7 +106,10 @@ function follow(store: BlockStore, plan: OrthophotoPlan, image: PlacedImageView,
     if (chosen.image !== of && placement !== null) plan.showImage(placement);
     if (chosen.image === null && of !== null) plan.fit();
     if (chosen.link !== link && chosen.link !== null) for (const picture of [plan, image]) picture.reveal(chosen.link);
-    if (store.state.placing.draft === null) for (const picture of [plan, image]) picture.predicted = null;
+    if (draft === null) for (const picture of [plan, image]) picture.predicted = null;
+    // One that was kept begins with an end.
+    else if (!isMeasured && placed !== null) void hands.expected().then((at) => (draft.at === null ? image.expect(at) : plan.expectPlace(at)));
+    isMeasured = draft !== null && placed !== null;
     [of, link] = [chosen.image, chosen.link];
   });
 }

@@ -7,6 +7,7 @@ import { standingOf } from './edits';
 import { inSystemOfBlock } from './in-common';
 import { allMarks, pointsOfFile, waitsForMarks } from './marks';
 import type { MarkStep } from './marks';
+import { countedFrom } from './result-system';
 import { addedPoints } from './added';
 import type { AddedPoint } from './added';
 import { isOutdated } from './state';
@@ -17,10 +18,11 @@ export const NONE_GIVEN: readonly ViewGiven[] = [];
 
 type Beside = Omit<ViewGiven, 'images'>;
 
-/** They stay the same while only measurements change. */
-const besideBlock = remember((view: BlockView, control: TextFile | null, crs: string | null, geoid_m: number): readonly Beside[] => {
+/** They stay the same while only measurements change. `geoid_m`: what their heights count from; null: from where those of the block do. */
+const besideBlock = remember((view: BlockView, control: TextFile | null, crs: string | null, geoid_m: number | null): readonly Beside[] => {
   const known = new Set(view.surveyed.map(({ name }) => name));
-  const places = inSystemOfBlock(view, pointsOfFile(control), { crs, geoid_m });
+  const heights = geoid_m === null ? countedFrom(view) : { geoid_m };
+  const places = inSystemOfBlock(view, pointsOfFile(control), { crs, heights });
   return pointsOfFile(control).flatMap(({ name, position, role }, i) =>
     known.has(name) ? [] : [{ name, position, place: places[i] ?? null, role: role ?? null, byHand: false }],
   );
@@ -42,7 +44,7 @@ const added = remember((view: BlockView, points: ReadonlyMap<string, AddedPoint>
   const places = inSystemOfBlock(
     view,
     waiting.map(({ edit: { name, position } }) => ({ name, position, standard_errors: null, role: 'control', sigma_px: null })),
-    { crs: view.crs, geoid_m: view.geoidM ?? 0 },
+    { crs: view.crs, heights: countedFrom(view) },
   );
   return waiting.map(({ edit, control, places: seen }, i): ViewGiven => {
     const { name, position, use } = edit;
@@ -71,5 +73,5 @@ function ofFile(view: BlockView, { options, marks }: Pick<BlockState, 'options' 
   if (options.control === null) return NONE_GIVEN;
   const { crs = null, geoid_m = null } = options.settings?.placing ?? {};
   // Of a block that was opened by an earlier release the settings are not those that it was made with.
-  return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? view.geoidM ?? 0), view, options.marks, marks);
+  return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m), view, options.marks, marks);
 }

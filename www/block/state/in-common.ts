@@ -1,22 +1,22 @@
 /** Where given coordinates lie in the system of a block: known where both say where they lie on the earth, or the block has some of the points already. Pure. */
 import { local_positions, system_positions } from '../../../pkg/wasm/tiepoint.js';
-import type { GeographicOrigin, GroundControlRow } from '../../../pkg/wasm/tiepoint.js';
+import type { CountedFrom, GeographicOrigin, GroundControlRow } from '../../../pkg/wasm/tiepoint.js';
 import { mapped, scaleOf, similarity } from './under';
 import type { BlockView } from './view';
 
 type Coordinates = readonly [number, number, number];
 
-/** The coordinate reference system of a file, and the height of its zero above the ellipsoid, m. */
+/** The coordinate reference system of a file, and where its heights count from. */
 interface SystemOfFile {
   crs: string | null;
-  geoid_m: number;
+  heights: CountedFrom;
 }
 
 /** The coordinates of each row in the system of the block; null where nothing leads there. */
-export function inSystemOfBlock(view: BlockView, rows: readonly GroundControlRow[], { crs, geoid_m }: SystemOfFile): readonly (Coordinates | null)[] {
+export function inSystemOfBlock(view: BlockView, rows: readonly GroundControlRow[], { crs, heights }: SystemOfFile): readonly (Coordinates | null)[] {
   const { orthophoto, origin } = view;
   if (orthophoto !== null && orthophoto.kind !== 'not_linked' && !orthophoto.inCrs) return rows.map(({ position }) => position);
-  const onEarth = crs === null || origin === null ? null : byEarth(rows, crs, geoid_m, origin);
+  const onEarth = crs === null || origin === null ? null : byEarth(rows, crs, heights, origin);
   return onEarth ?? byCommonPoints(view, rows);
 }
 
@@ -24,14 +24,15 @@ export function inSystemOfBlock(view: BlockView, rows: readonly GroundControlRow
 function byEarth(
   rows: readonly GroundControlRow[],
   crs: string,
-  geoid_m: number,
+  heights: CountedFrom,
   { longitude_deg, latitude_deg, height_m }: GeographicOrigin,
 ): readonly (Coordinates | null)[] | null {
   try {
     const geographic = system_positions(
       crs,
       rows.flatMap(({ position }) => position),
-    ).map((value, i) => (i % 3 === 2 ? value + geoid_m : value));
+      heights,
+    );
     const local = local_positions([longitude_deg, latitude_deg, height_m, ...geographic]);
     const places = rows.map((_, i): Coordinates | null => {
       const [x = NaN, y = NaN, z = NaN] = local.subarray(3 * i + 3, 3 * i + 6);

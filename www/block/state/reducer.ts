@@ -207,9 +207,9 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
   }
 }
 
-/** The view that shows what was kept: images on an orthophoto are no block, whose views would have nothing. */
+/** The view that shows what was kept: images on an orthophoto are no block, whose views would have nothing, and a link is measured on there. */
 function viewOf({ shown, placing }: Omit<RestoredBlock, 'draft'>): ViewName {
-  return shown === null && placing.orthophoto !== null ? 'orthophoto' : BLOCK_INITIAL.onStage;
+  return placing.draft !== null || (shown === null && placing.orthophoto !== null) ? 'orthophoto' : BLOCK_INITIAL.onStage;
 }
 
 /** A run that goes on keeps what it was given; of one that was ended nothing is left to take up as it was. */

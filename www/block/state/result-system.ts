@@ -1,5 +1,6 @@
 /** Coordinates of a block in the coordinate reference system that was chosen for its results, as its exports have them. All else is drawn and computed in that of its adjustment. Pure. */
 import { geographic_positions, system_coordinates } from '../../../pkg/wasm/tiepoint.js';
+import type { CountedFrom } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import { fixed } from '../../shared/text/format';
 import { withUnit } from '../../shared/text/units';
@@ -43,15 +44,18 @@ function ownSystem(view: BlockView): ResultSystem {
   return { name: '', code: '', unit: [unit, unit], more: 0, coordinates: (positions) => positions, toBlock: null };
 }
 
+/** Where the heights of a block count from. */
+export function countedFrom({ geoidM, geoid = null }: Pick<BlockView, 'geoidM' | 'geoid'>): CountedFrom {
+  return geoid === null ? { geoid_m: geoidM } : { geoid };
+}
+
 /** Positions in the system of the adjustment (stride 3) in another one, with heights from where those of the block count. The block says where it lies on the earth. */
-export function inSystem({ origin, geoidM }: Pick<BlockView, 'origin' | 'geoidM'>, crs: string, positions: Float64Array): Float64Array {
+export function inSystem(view: Pick<BlockView, 'origin' | 'geoidM' | 'geoid'>, crs: string, positions: Float64Array): Float64Array {
+  const { origin } = view;
   const all = new Float64Array(positions.length + 3);
   if (origin !== null) all.set([origin.longitude_deg, origin.latitude_deg, origin.height_m]);
   all.set(positions, 3);
-  return system_coordinates(
-    crs,
-    geographic_positions(all).map((value, i) => (i % 3 === 2 ? value - (geoidM ?? 0) : value)),
-  );
+  return system_coordinates(crs, geographic_positions(all), countedFrom(view));
 }
 
 function chosenSystem(view: BlockView): ResultSystem | null {
@@ -90,8 +94,16 @@ function unitOfLength(perM: number): Unit {
   return is(1 / FOOT_M) ? 'ft' : perM < 1e-3 ? '°' : '';
 }
 
+/** Of the positions of points: there are many, and they are those of one result in its system, however often that is shown. */
+const converted = new WeakMap<Float64Array, Float64Array>();
+
 /** The coordinates of all points of a block, of the projection centres of its images, and of its surveyed points, in the system of the results; stride 3. */
-export const pointCoordinates = remember((view: BlockView): Float64Array => resultSystem(view).coordinates(view.points.positions));
+export function pointCoordinates(view: BlockView): Float64Array {
+  const { positions } = view.points;
+  const coordinates = converted.get(positions) ?? resultSystem(view).coordinates(positions);
+  converted.set(positions, coordinates);
+  return coordinates;
+}
 export const imageCoordinates = remember((view: BlockView): Float64Array => {
   const positions = Float64Array.from(view.images.flatMap(({ position }) => position ?? [NaN, NaN, NaN]));
   return resultSystem(view).coordinates(positions);

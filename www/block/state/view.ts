@@ -7,6 +7,7 @@ import type {
   Connection,
   ExportFormat,
   GeographicOrigin,
+  Geoid,
   OnOrthophoto,
   RefinementOutcome,
   SurveyedPoint,
@@ -168,6 +169,8 @@ export interface BlockView {
   system?: string | null;
   /** The height of the zero of its heights above the ellipsoid, m; null where it is not known. */
   geoidM: number | null;
+  /** The part about the block of the geoid from which they count. Absent, as null, where none was given. */
+  geoid?: Geoid | null;
   rmsePx: number | null;
   sigma0Px: number | null;
   /** Ground control points and check points of the block. */

@@ -3,7 +3,7 @@ import { constant_offset, parse_camera } from '../../../pkg/wasm/tiepoint.js';
 import { resolved } from '../../shared/crate';
 import type { CameraMm, Catalogue, Fiducial } from '../../shared/crate';
 import type { Kept } from '../../shared/files/database';
-import { fitted, likeOf, listOf, nameOf, objectOf, orNull } from '../../shared/files/keepable';
+import { fitted, likeOf, listOf, nameOf, objectOf, orNull, positionFrom } from '../../shared/files/keepable';
 import type { Keepable } from '../../shared/files/keepable';
 import { remember } from '../../shared/state/remember';
 import { titleOf } from '../../shared/text/project';
@@ -45,6 +45,7 @@ const WATCHED = [
   'display',
   'results',
   'history',
+  'draft',
   'shelf',
   'running',
   'paused',
@@ -111,7 +112,7 @@ export class KeptPairs implements Keepable {
     const kept = givenFrom(value, this.catalogue);
     const { typed, display, flight, paused } = kept;
     const images = bothSides((side) => orNull(kept.images[side], ({ name, file }) => ({ id: freshId(), name, source: sourceFrom(parts, file) })));
-    const { history, shelf } = this.journal.read(parts);
+    const { history, draft, shelf } = this.journal.read(parts);
     const result = await this.result(parts, kept);
     const masks = await this.masks(kept, parts, result?.masks ?? { left: null, right: null });
     const opened = { ...result?.standing };
@@ -123,7 +124,7 @@ export class KeptPairs implements Keepable {
     );
     const truth = orNull(kept.truth, (known) => truthFrom(known, kept, parts, images));
     return () => {
-      this.store.dispatch({ type: 'restored', restored: { typed, display, flight, paused, images, masks, truth, history, shelf, opened, result } });
+      this.store.dispatch({ type: 'restored', restored: { typed, display, flight, paused, images, masks, truth, history, draft, shelf, opened, result } });
       if (result !== null) this.made = { kept: result.kept, results: resultsOf(unedited(this.store.state)) };
       const names = this.images();
       if (names.length === 0) return;
@@ -280,11 +281,7 @@ function typedFrom(value: unknown, { defaults }: Catalogue, name: string): Typed
   resolved(settings);
   const camera = orNull(kept.camera, (given) => objectOf(given, `${name}.camera`) as unknown as CameraMm);
   if (camera !== null) parse_camera(JSON.stringify(camera));
-  const pair = (given: unknown, at: string): [number, number] => {
-    const [a, b] = listOf(given, at, (number, place) => likeOf(number, 0, place));
-    return [a ?? NaN, b ?? NaN];
-  };
-  const offset = orNull(kept.offset, (given) => pair(given, `${name}.offset`));
+  const offset = orNull(kept.offset, (given) => positionFrom(given, `${name}.offset`));
   if (offset !== null) constant_offset(...offset);
   const photos = objectOf(kept.photos, `${name}.photos`);
   const photo = (side: Side) => {
@@ -292,7 +289,7 @@ function typedFrom(value: unknown, { defaults }: Catalogue, name: string): Typed
     const { fiducials, origin } = objectOf(photos[side], at);
     return {
       fiducials: listOf(fiducials, `${at}.fiducials`, (mark, place) => objectOf(mark, place) as unknown as Fiducial),
-      origin: orNull(origin, (given) => pair(given, `${at}.origin`)),
+      origin: orNull(origin, (given) => positionFrom(given, `${at}.origin`)),
     };
   };
   const fiducialModel = likeOf(kept.fiducialModel, '', `${name}.fiducialModel`) as Typed['fiducialModel'];

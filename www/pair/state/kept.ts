@@ -8,9 +8,9 @@ import { isCurrent, runKey, wantedKeys } from './keys';
 import { withResults } from './project';
 import type { Beside, Times } from './project';
 import { progress } from './select';
-import type { Shelf } from './shelf';
+import { measuredOn } from './shelf';
 import { INITIAL, SIDES } from './state';
-import type { Display, FlightTruth, PhotoData, Side, StageName, State } from './state';
+import type { Display, Draft, FlightTruth, PhotoData, Side, StageName, State } from './state';
 
 /** What is typed or read from small files. */
 export interface Typed {
@@ -63,7 +63,9 @@ export interface RestoredPair {
   masks: State['masks'];
   truth: FlightTruth | null;
   history: History<Edit>;
-  shelf: Shelf;
+  /** The match that is being measured. */
+  draft: Draft | null;
+  shelf: State['shelf'];
   /** The images as they are opened again. */
   opened: Pick<Beside, 'openLeft' | 'openRight'>;
   result: { project: PairProject; typed: Typed; beside: Beside; times: Times } | null;
@@ -97,7 +99,7 @@ export function isWorthKeeping(state: State): boolean {
   const areOwn = SIDES.every((side) => (state.images[side]?.source.kind ?? 'grey') !== 'grey');
   // Until the images are open, what is matched may be those before them.
   const isMatched = state.results.match !== undefined && isCurrent(state, 'openLeft') && isCurrent(state, 'openRight');
-  return (areOwn && isMatched) || isEdited(state) || SIDES.some((side) => state.masks[side] !== null);
+  return (areOwn && isMatched) || isEdited(state) || state.draft !== null || SIDES.some((side) => state.masks[side] !== null);
 }
 
 /** Whether marks were measured in images of the user's own, or it is said where they lie in their scans: of a simulated pair they come again. */
@@ -158,8 +160,9 @@ export function areSame(kept: readonly unknown[], now: readonly unknown[]): bool
 }
 
 /** The state that shows a pair as it was. Results that other settings made stay so: what is out of date is computed again. */
-export function withKept(state: State, { typed, display, flight, paused, images, masks, truth, history, shelf, opened, result }: RestoredPair): State {
-  const fresh: State = { ...INITIAL, catalogue: state.catalogue, notice: state.notice, ...typed, display, flight, paused, images, masks, truth, shelf };
+export function withKept(state: State, { typed, display, flight, paused, images, masks, truth, history, draft, shelf, opened, result }: RestoredPair): State {
+  const given = { ...typed, display, flight, paused, images, masks, truth, shelf, ...measuredOn(draft, INITIAL.tool) };
+  const fresh: State = { ...INITIAL, catalogue: state.catalogue, notice: state.notice, ...given };
   if (result === null) return { ...fresh, history };
   const made = withResults({ ...fresh, ...result.typed }, result.project, { ...result.beside, ...opened }, result.times);
   // What the edits do is compared with what was before all of them.

@@ -1,10 +1,11 @@
-/** Edits of pairs that are not on the page: a pair that is opened again, as one of a block, has its edits again. */
+/** What was done by hand in pairs that are not on the page: a pair that is opened again, as one of a block, has its edits again, and the match that was being measured. */
 import { NO_HISTORY } from '../../shared/state/history';
-import type { History } from '../../shared/state/history';
-import type { Edit } from './edits';
-import type { GivenImage, Side, State } from './state';
+import type { Draft, GivenImage, Side, State, Tool } from './state';
 
-export type Shelf = ReadonlyMap<string, History<Edit>>;
+/** A match that is to be measured on, with the tool that measures it; `tool`: where there is none. */
+export function measuredOn(draft: Draft | null, tool: Tool): Pick<State, 'draft' | 'tool'> {
+  return { draft, tool: draft === null ? tool : 'measure' };
+}
 
 /** The same for the same two files, in this order; null where an image is no file. */
 function keyOfPair(images: Record<Side, GivenImage | null>): string | null {
@@ -16,13 +17,15 @@ function keyOfPair(images: Record<Side, GivenImage | null>): string | null {
   return parts.includes(null) ? null : JSON.stringify(parts);
 }
 
-/** The edits of a pair that leaves go to the shelf, those of the one that comes leave it. */
-export function exchangedPair(state: State, images: State['images']): Pick<State, 'history' | 'shelf'> {
+/** What was done in a pair that leaves goes to the shelf, what was done in the one that comes leaves it. */
+export function exchangedPair(state: State, images: State['images']): Pick<State, 'history' | 'draft' | 'tool' | 'shelf'> {
   const [before, next] = [keyOfPair(state.images), keyOfPair(images)];
   const shelf = new Map(state.shelf);
-  if (before !== null && state.history.edits.length > 0) shelf.set(before, state.history);
-  const history = (next === null ? undefined : shelf.get(next)) ?? NO_HISTORY;
+  const { history: left, draft: leaves } = state;
+  if (before !== null && (left.edits.length > 0 || leaves !== null)) shelf.set(before, { ...left, draft: leaves });
+  const comes = next === null ? undefined : shelf.get(next);
+  const history = comes === undefined ? NO_HISTORY : { edits: comes.edits, done: comes.done };
   if (next !== null) shelf.delete(next);
   const same = shelf.size === 0 && state.shelf.size === 0;
-  return { history, shelf: same ? state.shelf : shelf };
+  return { history, ...measuredOn(comes?.draft ?? null, state.tool), shelf: same ? state.shelf : shelf };
 }

@@ -221,6 +221,11 @@ export interface Draft {
   side: Side;
 }
 
+/** What was done by hand in a pair that is not on the page: its edits, and the match that was being measured. */
+export interface Shelved extends History<Edit> {
+  draft: Draft | null;
+}
+
 /** Parts of the state that are typed in fields. */
 export const TYPED_PARTS = ['settings', 'camera', 'photos', 'offset'] as const;
 export type TypedPart = (typeof TYPED_PARTS)[number];
@@ -249,7 +254,7 @@ export interface State {
   /** What was done to the matches by hand. */
   history: History<Edit>;
   /** The same of other pairs, which may be opened again. */
-  shelf: ReadonlyMap<string, History<Edit>>;
+  shelf: ReadonlyMap<string, Shelved>;
   /** Keys of the matches that are chosen together, beside the selection. */
   chosen: readonly string[];
   filter: MatchFilter;

@@ -57,6 +57,13 @@ export function listOf<T>(value: unknown, name: string, element: (value: unknown
   return value.map((one, i) => element(one, `${name}[${String(i)}]`));
 }
 
+/** Two numbers. @throws Error where it is something else */
+export function positionFrom(value: unknown, name: string): [number, number] {
+  const [x, y, ...more] = listOf(value, name, (number, at) => likeOf(number, 0, at));
+  if (x === undefined || y === undefined || more.length > 0) throw wrong(name);
+  return [x, y];
+}
+
 /** Null stays null. */
 export function orNull<V, T>(value: V, read: (value: NonNullable<V>) => T): T | null {
   return value == null ? null : read(value);

@@ -12,6 +12,7 @@ import { drawLinkResiduals, drawLinks, drawRing, linksOnImage } from './links';
 import type { DrawnLinks } from './links';
 import { LinkPicture } from './picture';
 import type { Box } from './picture';
+import type { OrthophotoPlan } from './plan';
 
 export class PlacedImageView extends LinkPicture {
   private readonly bitmaps: Bitmaps;
@@ -79,11 +80,11 @@ export class PlacedImageView extends LinkPicture {
   protected override measured(at: [number, number]): void {
     const size = this.size();
     if (size === null || at[0] < 0 || at[1] < 0 || at[0] > size.width || at[1] > size.height) return;
-    void this.hands.place('at', at).then((place) => this.ground?.expect(place === null ? null : [place[0], -place[1]]));
+    void this.hands.place('at', at).then((place) => this.ground?.expectPlace(place));
   }
 
   /** The orthophoto beside it. */
-  ground: LinkPicture | null = null;
+  ground: OrthophotoPlan | null = null;
 
   private get clip(): Rect {
     return { left: 0, top: 0, width: this.layers.width, height: this.layers.height };

@@ -142,6 +142,11 @@ export class OrthophotoPlan extends LinkPicture {
   /** The image beside it. */
   image: LinkPicture | null = null;
 
+  /** Brings a place X, Y of the orthophoto into sight, where an end of a link is expected. */
+  expectPlace(place: readonly [number, number] | null): void {
+    this.expect(place === null ? null : [place[0], -place[1]]);
+  }
+
   /** Takes the place in the middle, under the cross. */
   takeMiddle(): void {
     this.take(this.layers.width / 2, this.layers.height / 2);
