@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asFigure, asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -949,6 +949,241 @@ function stepName(step) {
 		link: step.link + 1
 	});
 }
+// www/block/state/ground.ts
+function systemOf(view, ground) {
+	if (view.layout.kind === "recorded" || ground?.origin != null) return "geographic";
+	return view.surveyed.some(({ role }) => role === "control") ? "surveyed" : "own";
+}
+var medianGsd = remember((view, ground) => {
+	if (ground === null || systemOf(view, ground) === "own") return null;
+	return numberOf(median([...ground.gsd].filter(Number.isFinite)));
+});
+function gsdOf(view, ground, image) {
+	return ground === null || systemOf(view, ground) === "own" ? null : numberOf(ground.gsd[image] ?? NaN);
+}
+function median(values) {
+	const sorted = Float64Array.from(values).sort();
+	return sorted[Math.floor(sorted.length / 2)] ?? NaN;
+}
+function numberOf(value) {
+	return Number.isFinite(value) ? value : null;
+}
+// www/block/state/scale.ts
+function unitOf({ origin, surveyed }) {
+	return origin !== null || surveyed.some(({ role }) => role === "control") ? "m" : "";
+}
+function inUnitOf(view, coordinates) {
+	return withUnit(coordinates, unitOf(view));
+}
+// www/block/state/under.ts
+var SAME = {
+	a: 1,
+	b: 0,
+	c: 0,
+	d: 1,
+	e: 0,
+	f: 0
+};
+function affineOf({ origin, by_column: column, by_row: row }) {
+	return {
+		a: column[0],
+		b: column[1],
+		c: row[0],
+		d: row[1],
+		e: origin[0],
+		f: origin[1]
+	};
+}
+function mapped({ a, b, c, d, e, f }, x, y) {
+	return [a * x + c * y + e, b * x + d * y + f];
+}
+function after(outer, inner) {
+	const [a, b] = mapped({
+		...outer,
+		e: 0,
+		f: 0
+	}, inner.a, inner.b);
+	const [c, d] = mapped({
+		...outer,
+		e: 0,
+		f: 0
+	}, inner.c, inner.d);
+	const [e, f] = mapped(outer, inner.e, inner.f);
+	return {
+		a,
+		b,
+		c,
+		d,
+		e,
+		f
+	};
+}
+function inverse({ a, b, c, d, e, f }) {
+	const determinant = a * d - b * c;
+	const turned = {
+		a: d / determinant,
+		b: -b / determinant,
+		c: -c / determinant,
+		d: a / determinant,
+		e: 0,
+		f: 0
+	};
+	const [x, y] = mapped(turned, e, f);
+	return {
+		...turned,
+		e: -x,
+		f: -y
+	};
+}
+function scaleOf({ a, b, c, d }) {
+	return Math.sqrt(Math.abs(a * d - b * c));
+}
+function similarity(from, to) {
+	if (from.length < 2 || from.length !== to.length) return null;
+	const [fx, fy] = middle(from);
+	const [tx, ty] = middle(to);
+	let [along, across, size] = [
+		0,
+		0,
+		0
+	];
+	from.forEach(([x, y], i) => {
+		const [u, v] = [x - fx, y - fy];
+		const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
+		along += u * p + v * q;
+		across += u * q - v * p;
+		size += u * u + v * v;
+	});
+	if (!(size > 0)) return null;
+	const [a, b] = [along / size, across / size];
+	if (!(Math.hypot(a, b) > 0)) return null;
+	const turned = {
+		a,
+		b,
+		c: -b,
+		d: a,
+		e: 0,
+		f: 0
+	};
+	const [x, y] = mapped(turned, fx, fy);
+	return {
+		...turned,
+		e: tx - x,
+		f: ty - y
+	};
+}
+function middle(places) {
+	const sum = places.reduce(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
+	return [(sum[0] ?? 0) / places.length, (sum[1] ?? 0) / places.length];
+}
+// www/block/state/result-system.ts
+var APART_M$1 = 500;
+var FOOT_M$2 = .3048;
+var MOST_SCALE$1 = .02;
+var DIGITS_OF_DEGREES = 5;
+var resultSystem = remember((view) => chosenSystem(view) ?? ownSystem(view));
+function ownSystem(view) {
+	const unit = unitOf(view);
+	return {
+		name: "",
+		code: "",
+		unit: [unit, unit],
+		more: 0,
+		coordinates: (positions) => positions,
+		toBlock: null
+	};
+}
+function countedFrom({ geoidM, geoid = null }) {
+	return geoid === null ? { geoid_m: geoidM } : { geoid };
+}
+function inSystem$1(view, crs, positions) {
+	const { origin } = view;
+	const all = new Float64Array(positions.length + 3);
+	if (origin !== null) all.set([
+		origin.longitude_deg,
+		origin.latitude_deg,
+		origin.height_m
+	]);
+	all.set(positions, 3);
+	return system_coordinates(crs, geographic_positions(all), countedFrom(view));
+}
+function chosenSystem(view) {
+	const { crs, system = null, origin, points } = view;
+	if (system === null || crs === null || origin === null) return null;
+	const coordinates = (positions) => inSystem$1(view, crs, positions);
+	const ground = median(points.positions.filter((value, i) => i % 3 === 2 && !Number.isNaN(value)));
+	const z = Number.isNaN(ground) ? 0 : ground;
+	try {
+		const [x = NaN, y = NaN, up = NaN, ...others] = coordinates(Float64Array.of(0, 0, z, APART_M$1, 0, z, 0, APART_M$1, z, 0, 0, z + APART_M$1));
+		const [xe = NaN, ye = NaN, , xn = NaN, yn = NaN, , , , over = NaN] = others;
+		const [a, b, c, d] = [
+			(xe - x) / APART_M$1,
+			(ye - y) / APART_M$1,
+			(xn - x) / APART_M$1,
+			(yn - y) / APART_M$1
+		];
+		const determinant = a * d - b * c;
+		if (!(Math.abs(determinant) > 0)) return null;
+		const across = unitOfLength(Math.sqrt(Math.abs(determinant)));
+		const turned = {
+			a: d / determinant,
+			b: -b / determinant,
+			c: -c / determinant,
+			d: a / determinant,
+			e: 0,
+			f: 0
+		};
+		const [e, f] = mapped(turned, x, y);
+		return {
+			name: system,
+			code: /^epsg:\d+$/iu.test(crs) ? crs.toUpperCase() : system,
+			unit: [across, unitOfLength((over - up) / APART_M$1)],
+			more: across === "°" ? DIGITS_OF_DEGREES : 0,
+			coordinates,
+			toBlock: {
+				...turned,
+				e: -e,
+				f: -f
+			}
+		};
+	} catch {
+		return null;
+	}
+}
+function unitOfLength(perM) {
+	const is = (wanted) => Math.abs(perM / wanted - 1) < MOST_SCALE$1;
+	if (is(1)) return "m";
+	return is(1 / FOOT_M$2) ? "ft" : perM < .001 ? "°" : "";
+}
+var converted = new WeakMap();
+function pointCoordinates(view) {
+	const { positions } = view.points;
+	const coordinates = converted.get(positions) ?? resultSystem(view).coordinates(positions);
+	converted.set(positions, coordinates);
+	return coordinates;
+}
+var imageCoordinates = remember((view) => {
+	const positions = Float64Array.from(view.images.flatMap(({ position }) => position ?? [
+		NaN,
+		NaN,
+		NaN
+	]));
+	return resultSystem(view).coordinates(positions);
+});
+var surveyedCoordinates = remember((view) => resultSystem(view).coordinates(Float64Array.from(view.surveyed.flatMap(({ position }) => [...position]))));
+function coordinatesText(view, position, digits) {
+	const system = resultSystem(view);
+	const at = system.name === "" ? position : system.coordinates(Float64Array.from(position));
+	const { unit, more } = system;
+	const [x, y, z] = [
+		at[0] ?? NaN,
+		at[1] ?? NaN,
+		at[2] ?? NaN
+	];
+	const plan = `${fixed(x, digits + more)} ${fixed(y, digits + more)}`;
+	if (unit[0] === unit[1]) return withUnit(`X Y Z ${plan} ${fixed(z, digits)}`, unit[0]);
+	return `${withUnit(`X Y ${plan}`, unit[0])} ${withUnit(`Z ${fixed(z, digits)}`, unit[1])}`;
+}
 // www/block/engine/frames.ts
 async function makeFrames(worker, scans, given, tell) {
 	const made = [];
@@ -1213,7 +1448,7 @@ var PlacingEngine = class {
 			...given
 		});
 	}
-	controlByHand(place, number, { crs, geoidM }) {
+	controlByHand(place, number, view) {
 		const { ground } = this;
 		const { options } = this.store.state.placing;
 		if (ground === null || options === null) return Promise.reject(new Error("no orthophoto is given"));
@@ -1222,8 +1457,8 @@ var PlacingEngine = class {
 			options,
 			place,
 			number,
-			crs,
-			geoidM
+			crs: view.crs,
+			heights: countedFrom(view)
 		}));
 	}
 	async rectified(file) {
@@ -2332,231 +2567,6 @@ function removable(files, choice, names) {
 	const chosen = new Set(imagesOf(choice).map((image) => names[image]?.name));
 	const found = files.filter(({ name }) => chosen.has(name));
 	return found.length === chosen.size && files.length - found.length >= LEAST_IMAGES ? found : [];
-}
-// www/block/state/ground.ts
-function systemOf(view, ground) {
-	if (view.layout.kind === "recorded" || ground?.origin != null) return "geographic";
-	return view.surveyed.some(({ role }) => role === "control") ? "surveyed" : "own";
-}
-var medianGsd = remember((view, ground) => {
-	if (ground === null || systemOf(view, ground) === "own") return null;
-	return numberOf(median([...ground.gsd].filter(Number.isFinite)));
-});
-function gsdOf(view, ground, image) {
-	return ground === null || systemOf(view, ground) === "own" ? null : numberOf(ground.gsd[image] ?? NaN);
-}
-function median(values) {
-	const sorted = Float64Array.from(values).sort();
-	return sorted[Math.floor(sorted.length / 2)] ?? NaN;
-}
-function numberOf(value) {
-	return Number.isFinite(value) ? value : null;
-}
-// www/block/state/scale.ts
-function unitOf({ origin, surveyed }) {
-	return origin !== null || surveyed.some(({ role }) => role === "control") ? "m" : "";
-}
-function inUnitOf(view, coordinates) {
-	return withUnit(coordinates, unitOf(view));
-}
-// www/block/state/under.ts
-var SAME = {
-	a: 1,
-	b: 0,
-	c: 0,
-	d: 1,
-	e: 0,
-	f: 0
-};
-function affineOf({ origin, by_column: column, by_row: row }) {
-	return {
-		a: column[0],
-		b: column[1],
-		c: row[0],
-		d: row[1],
-		e: origin[0],
-		f: origin[1]
-	};
-}
-function mapped({ a, b, c, d, e, f }, x, y) {
-	return [a * x + c * y + e, b * x + d * y + f];
-}
-function after(outer, inner) {
-	const [a, b] = mapped({
-		...outer,
-		e: 0,
-		f: 0
-	}, inner.a, inner.b);
-	const [c, d] = mapped({
-		...outer,
-		e: 0,
-		f: 0
-	}, inner.c, inner.d);
-	const [e, f] = mapped(outer, inner.e, inner.f);
-	return {
-		a,
-		b,
-		c,
-		d,
-		e,
-		f
-	};
-}
-function inverse({ a, b, c, d, e, f }) {
-	const determinant = a * d - b * c;
-	const turned = {
-		a: d / determinant,
-		b: -b / determinant,
-		c: -c / determinant,
-		d: a / determinant,
-		e: 0,
-		f: 0
-	};
-	const [x, y] = mapped(turned, e, f);
-	return {
-		...turned,
-		e: -x,
-		f: -y
-	};
-}
-function scaleOf({ a, b, c, d }) {
-	return Math.sqrt(Math.abs(a * d - b * c));
-}
-function similarity(from, to) {
-	if (from.length < 2 || from.length !== to.length) return null;
-	const [fx, fy] = middle(from);
-	const [tx, ty] = middle(to);
-	let [along, across, size] = [
-		0,
-		0,
-		0
-	];
-	from.forEach(([x, y], i) => {
-		const [u, v] = [x - fx, y - fy];
-		const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
-		along += u * p + v * q;
-		across += u * q - v * p;
-		size += u * u + v * v;
-	});
-	if (!(size > 0)) return null;
-	const [a, b] = [along / size, across / size];
-	if (!(Math.hypot(a, b) > 0)) return null;
-	const turned = {
-		a,
-		b,
-		c: -b,
-		d: a,
-		e: 0,
-		f: 0
-	};
-	const [x, y] = mapped(turned, fx, fy);
-	return {
-		...turned,
-		e: tx - x,
-		f: ty - y
-	};
-}
-function middle(places) {
-	const sum = places.reduce(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
-	return [(sum[0] ?? 0) / places.length, (sum[1] ?? 0) / places.length];
-}
-// www/block/state/result-system.ts
-var APART_M$1 = 500;
-var FOOT_M$2 = .3048;
-var MOST_SCALE$1 = .02;
-var DIGITS_OF_DEGREES = 5;
-var resultSystem = remember((view) => chosenSystem(view) ?? ownSystem(view));
-function ownSystem(view) {
-	const unit = unitOf(view);
-	return {
-		name: "",
-		code: "",
-		unit: [unit, unit],
-		more: 0,
-		coordinates: (positions) => positions,
-		toBlock: null
-	};
-}
-function inSystem$1({ origin, geoidM }, crs, positions) {
-	const all = new Float64Array(positions.length + 3);
-	if (origin !== null) all.set([
-		origin.longitude_deg,
-		origin.latitude_deg,
-		origin.height_m
-	]);
-	all.set(positions, 3);
-	return system_coordinates(crs, geographic_positions(all).map((value, i) => i % 3 === 2 ? value - (geoidM ?? 0) : value));
-}
-function chosenSystem(view) {
-	const { crs, system = null, origin, points } = view;
-	if (system === null || crs === null || origin === null) return null;
-	const coordinates = (positions) => inSystem$1(view, crs, positions);
-	const ground = median(points.positions.filter((value, i) => i % 3 === 2 && !Number.isNaN(value)));
-	const z = Number.isNaN(ground) ? 0 : ground;
-	try {
-		const [x = NaN, y = NaN, up = NaN, ...others] = coordinates(Float64Array.of(0, 0, z, APART_M$1, 0, z, 0, APART_M$1, z, 0, 0, z + APART_M$1));
-		const [xe = NaN, ye = NaN, , xn = NaN, yn = NaN, , , , over = NaN] = others;
-		const [a, b, c, d] = [
-			(xe - x) / APART_M$1,
-			(ye - y) / APART_M$1,
-			(xn - x) / APART_M$1,
-			(yn - y) / APART_M$1
-		];
-		const determinant = a * d - b * c;
-		if (!(Math.abs(determinant) > 0)) return null;
-		const across = unitOfLength(Math.sqrt(Math.abs(determinant)));
-		const turned = {
-			a: d / determinant,
-			b: -b / determinant,
-			c: -c / determinant,
-			d: a / determinant,
-			e: 0,
-			f: 0
-		};
-		const [e, f] = mapped(turned, x, y);
-		return {
-			name: system,
-			code: /^epsg:\d+$/iu.test(crs) ? crs.toUpperCase() : system,
-			unit: [across, unitOfLength((over - up) / APART_M$1)],
-			more: across === "°" ? DIGITS_OF_DEGREES : 0,
-			coordinates,
-			toBlock: {
-				...turned,
-				e: -e,
-				f: -f
-			}
-		};
-	} catch {
-		return null;
-	}
-}
-function unitOfLength(perM) {
-	const is = (wanted) => Math.abs(perM / wanted - 1) < MOST_SCALE$1;
-	if (is(1)) return "m";
-	return is(1 / FOOT_M$2) ? "ft" : perM < .001 ? "°" : "";
-}
-var pointCoordinates = remember((view) => resultSystem(view).coordinates(view.points.positions));
-var imageCoordinates = remember((view) => {
-	const positions = Float64Array.from(view.images.flatMap(({ position }) => position ?? [
-		NaN,
-		NaN,
-		NaN
-	]));
-	return resultSystem(view).coordinates(positions);
-});
-var surveyedCoordinates = remember((view) => resultSystem(view).coordinates(Float64Array.from(view.surveyed.flatMap(({ position }) => [...position]))));
-function coordinatesText(view, position, digits) {
-	const system = resultSystem(view);
-	const at = system.name === "" ? position : system.coordinates(Float64Array.from(position));
-	const { unit, more } = system;
-	const [x, y, z] = [
-		at[0] ?? NaN,
-		at[1] ?? NaN,
-		at[2] ?? NaN
-	];
-	const plan = `${fixed(x, digits + more)} ${fixed(y, digits + more)}`;
-	if (unit[0] === unit[1]) return withUnit(`X Y Z ${plan} ${fixed(z, digits)}`, unit[0]);
-	return `${withUnit(`X Y ${plan}`, unit[0])} ${withUnit(`Z ${fixed(z, digits)}`, unit[1])}`;
 }
 // www/block/state/words.ts
 function connectionOf(view, pair) {
@@ -4041,14 +4051,14 @@ function comparison(before, now) {
 	}, h("thead", {}, head), body);
 }
 // www/block/state/in-common.ts
-function inSystemOfBlock(view, rows, { crs, geoid_m }) {
+function inSystemOfBlock(view, rows, { crs, heights }) {
 	const { orthophoto, origin } = view;
 	if (orthophoto !== null && orthophoto.kind !== "not_linked" && !orthophoto.inCrs) return rows.map(({ position }) => position);
-	return (crs === null || origin === null ? null : byEarth(rows, crs, geoid_m, origin)) ?? byCommonPoints(view, rows);
+	return (crs === null || origin === null ? null : byEarth(rows, crs, heights, origin)) ?? byCommonPoints(view, rows);
 }
-function byEarth(rows, crs, geoid_m, { longitude_deg, latitude_deg, height_m }) {
+function byEarth(rows, crs, heights, { longitude_deg, latitude_deg, height_m }) {
 	try {
-		const geographic = system_positions(crs, rows.flatMap(({ position }) => position)).map((value, i) => i % 3 === 2 ? value + geoid_m : value);
+		const geographic = system_positions(crs, rows.flatMap(({ position }) => position), heights);
 		const local = local_positions([
 			longitude_deg,
 			latitude_deg,
@@ -4084,9 +4094,10 @@ function byCommonPoints({ surveyed }, rows) {
 var NONE_GIVEN = [];
 var besideBlock = remember((view, control, crs, geoid_m) => {
 	const known = new Set(view.surveyed.map(({ name }) => name));
+	const heights = geoid_m === null ? countedFrom(view) : { geoid_m };
 	const places = inSystemOfBlock(view, pointsOfFile(control), {
 		crs,
-		geoid_m
+		heights
 	});
 	return pointsOfFile(control).flatMap(({ name, position, role }, i) => known.has(name) ? [] : [{
 		name,
@@ -4118,7 +4129,7 @@ var added = remember((view, points, unused) => {
 		sigma_px: null
 	})), {
 		crs: view.crs,
-		geoid_m: view.geoidM ?? 0
+		heights: countedFrom(view)
 	});
 	return waiting.map(({ edit, control, places: seen }, i) => {
 		const { name, position, use } = edit;
@@ -4145,7 +4156,7 @@ function pendingPoints(state) {
 function ofFile(view, { options, marks }) {
 	if (options.control === null) return NONE_GIVEN;
 	const { crs = null, geoid_m = null } = options.settings?.placing ?? {};
-	return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m ?? view.geoidM ?? 0), view, options.marks, marks);
+	return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m), view, options.marks, marks);
 }
 // www/block/state/orthophoto-unit.ts
 var FOOT_M$1 = .3048;
@@ -5943,6 +5954,7 @@ function presentKey(key, positionIn) {
 }
 // www/block/files/keep-draft.ts
 var DRAFT = "block/draft";
+var LINK$1 = "block/link";
 var OF_PLACE = 60;
 function draftParts(draft, images) {
 	return new Map(draft === null ? [] : [[DRAFT, keptDraft(draft, images)]]);
@@ -5955,6 +5967,34 @@ var keptDraft = remember(({ of, places }, images) => ({
 	},
 	bytes: OF_PLACE * (1 + places.size)
 }));
+function linkParts({ draft, chosen }) {
+	return new Map(draft === null || chosen.image === null ? [] : [[LINK$1, keptLink(draft, chosen.image)]]);
+}
+var keptLink = remember(({ at, place }, image) => ({
+	value: {
+		image,
+		at,
+		place
+	},
+	bytes: 120
+}));
+function withLink(placing, parts) {
+	if (!parts.has(LINK$1)) return placing;
+	const kept = objectOf(parts.get(LINK$1), "link");
+	const image = likeOf(kept.image, 0, "link.image");
+	const [at, place] = [orNull(kept.at, (own) => positionFrom(own, "link.at")), orNull(kept.place, (own) => positionFrom(own, "link.place"))];
+	return placing.placed.has(image) ? {
+		...placing,
+		draft: {
+			at,
+			place
+		},
+		chosen: {
+			image,
+			link: null
+		}
+	} : placing;
+}
 function draftFrom(parts, images) {
 	if (!parts.has(DRAFT)) return null;
 	const { of, places, images: shown } = objectOf(parts.get(DRAFT), "draft");
@@ -6262,7 +6302,7 @@ var KeptBlocks = class {
 		for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
 		for (const [name, part] of this.marks.parts(state.marks)) parts.set(name, part);
 		for (const [name, part] of formerParts(state.former, state.history)) parts.set(name, part);
-		for (const [name, part] of draftParts(state.draft, state.panes.images)) parts.set(name, part);
+		for (const [name, part] of [...draftParts(state.draft, state.panes.images), ...linkParts(placing)]) parts.set(name, part);
 		if (made !== null && made.found === shown?.found) parts.set(SHOWN, {
 			value: made.kept,
 			bytes: SMALL + made.kept.project.size + (made.kept.ground?.before.size ?? 0)
@@ -6282,7 +6322,7 @@ var KeptBlocks = class {
 		const masks = kept.masks.map((file) => fileFrom(parts, file));
 		const geoid = orNull(kept.geoid, (file) => fileFrom(parts, file));
 		const placed = new Map([...parts].flatMap(([part, value]) => part.startsWith(PLACED) ? [[Number(part.slice(13)), value]] : []));
-		const placing = withPresentKeys(placingFrom(kept.placing, placed, this.catalogue, fileOf$2, (file) => fileFrom(parts, file)), files, kept.options);
+		const placing = withLink(withPresentKeys(placingFrom(kept.placing, placed, this.catalogue, fileOf$2, (file) => fileFrom(parts, file)), files, kept.options), parts);
 		const history = this.journal.read(parts);
 		const marks = this.marks.read(parts);
 		const { former, damage } = formerOrNone(parts, history);
@@ -7804,7 +7844,7 @@ function reduced(state, action) {
 	}
 }
 function viewOf({ shown, placing }) {
-	return shown === null && placing.orthophoto !== null ? "orthophoto" : BLOCK_INITIAL.onStage;
+	return placing.draft !== null || shown === null && placing.orthophoto !== null ? "orthophoto" : BLOCK_INITIAL.onStage;
 }
 function onOtherInput(running) {
 	return running.kind === "yes" ? running : { kind: "no" };
@@ -11645,28 +11685,24 @@ var LinkHands = class {
 			} : null
 		});
 	}
-	async place(end, position) {
+	place(end, position) {
 		const { draft } = this.store.state.placing;
-		const { image } = this;
-		if (draft === null || image === null) return null;
-		const next = {
-			...draft,
-			[end]: position
-		};
+		if (draft === null || this.image === null) return Promise.resolve(null);
 		this.store.dispatch({
 			type: "linkDraft",
-			draft: next
+			draft: {
+				...draft,
+				[end]: position
+			}
 		});
-		const placement = image.result?.placement ?? null;
-		if (placement === null || next.at !== null && next.place !== null) return null;
+		return this.expected();
+	}
+	async expected() {
+		const { draft } = this.store.state.placing;
+		const placement = this.image?.result?.placement ?? null;
+		if (draft === null || placement === null || draft.at === null === (draft.place === null)) return null;
 		try {
-			return await this.engine.predict(placement, end === "at" ? {
-				at: position,
-				place: null
-			} : {
-				at: null,
-				place: position
-			});
+			return await this.engine.predict(placement, draft);
 		} catch {
 			return null;
 		}
@@ -12176,7 +12212,7 @@ var PlacedImageView = class extends LinkPicture {
 	measured(at) {
 		const size = this.size();
 		if (size === null || at[0] < 0 || at[1] < 0 || at[0] > size.width || at[1] > size.height) return;
-		this.hands.place("at", at).then((place) => this.ground?.expect(place === null ? null : [place[0], -place[1]]));
+		this.hands.place("at", at).then((place) => this.ground?.expectPlace(place));
 	}
 	ground = null;
 	get clip() {
@@ -12699,6 +12735,9 @@ var OrthophotoPlan = class extends LinkPicture {
 		this.hands.place("place", [east, -south]).then((at) => this.image?.expect(at));
 	}
 	image = null;
+	expectPlace(place) {
+		this.expect(place === null ? null : [place[0], -place[1]]);
+	}
 	takeMiddle() {
 		this.take(this.layers.width / 2, this.layers.height / 2);
 	}
@@ -13043,7 +13082,7 @@ function orthophotoView(engine, facts, placing, { open, sample, measure }) {
 				place: image.place[0],
 				place_2: image.place[1]
 			})));
-			follow(store, plan, image, beside, name);
+			follow(store, hands, plan, image, beside, name);
 			store.watch([
 				"placing",
 				"files",
@@ -13073,14 +13112,15 @@ function orthophotoView(engine, facts, placing, { open, sample, measure }) {
 		}
 	};
 }
-function follow(store, plan, image, beside, name) {
+function follow(store, hands, plan, image, beside, name) {
 	let [of, link] = [store.state.placing.chosen.image, store.state.placing.chosen.link];
+	let isMeasured = false;
 	store.watch([
 		"placing",
 		"files",
 		"options",
 		"shown"
-	], ([{ chosen }]) => {
+	], ([{ chosen, draft }]) => {
 		const placed = chosenPlaced(store.state);
 		const placement = placed?.result?.placement ?? null;
 		beside.hidden = (placed?.result ?? null) === null;
@@ -13088,7 +13128,9 @@ function follow(store, plan, image, beside, name) {
 		if (chosen.image !== of && placement !== null) plan.showImage(placement);
 		if (chosen.image === null && of !== null) plan.fit();
 		if (chosen.link !== link && chosen.link !== null) for (const picture of [plan, image]) picture.reveal(chosen.link);
-		if (store.state.placing.draft === null) for (const picture of [plan, image]) picture.predicted = null;
+		if (draft === null) for (const picture of [plan, image]) picture.predicted = null;
+		else if (!isMeasured && placed !== null) hands.expected().then((at) => draft.at === null ? image.expect(at) : plan.expectPlace(at));
+		isMeasured = draft !== null && placed !== null;
 		[of, link] = [chosen.image, chosen.link];
 	});
 }

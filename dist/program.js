@@ -238,8 +238,8 @@ var FinishedBlock = class FinishedBlock {
 	on_orthophoto() {
 		return wasm.finishedblock_on_orthophoto(this.__wbg_ptr);
 	}
-	static open(bytes) {
-		const ret = wasm.finishedblock_open(bytes);
+	static open(file) {
+		const ret = wasm.finishedblock_open(file);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return FinishedBlock.__wrap(ret[0]);
 	}
@@ -949,13 +949,13 @@ function resolved(settings) {
 function rule_names() {
 	return wasm.rule_names();
 }
-function system_coordinates(crs, geographic) {
-	const ret = wasm.system_coordinates(crs, geographic);
+function system_coordinates(crs, geographic, heights) {
+	const ret = wasm.system_coordinates(crs, geographic, heights);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-function system_positions(crs, coordinates) {
-	const ret = wasm.system_positions(crs, coordinates);
+function system_positions(crs, coordinates, heights) {
+	const ret = wasm.system_positions(crs, coordinates, heights);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -1150,9 +1150,6 @@ function __wbg_get_imports() {
 			},
 			__wbg_new_37eb45aaf5eeb820: function() {
 				return new Array();
-			},
-			__wbg_new_4416a2fe2fac9c65: function(arg0, arg1) {
-				return new TypeError(getStringFromWasm0(arg0, arg1));
 			},
 			__wbg_new_68957d2a912dfa0a: function(arg0) {
 				return new Int32Array(arg0);
@@ -1524,7 +1521,12 @@ if (!("encodeInto" in cachedTextEncoder)) cachedTextEncoder.encodeInto = functio
 };
 var WASM_VECTOR_LEN = 0;
 var unloaded = new Proxy({}, { get() {
-	throw new Error("the module is not loaded: call the default export of tiepoint and wait for it first");
+	throw Object.assign(new Error("the module is not loaded: call load(), the default export of tiepoint, and wait for it first"), {
+		name: "TiepointError",
+		code: "not-loaded",
+		usage: false,
+		error: { kind: "not-loaded" }
+	});
 } });
 var wasm = unloaded;
 function __wbg_finalize_init(instance, module) {
@@ -2898,6 +2900,11 @@ function likeOf(value, like, name) {
 function listOf(value, name, element) {
 	if (!Array.isArray(value)) throw wrong(name);
 	return value.map((one, i) => element(one, `${name}[${String(i)}]`));
+}
+function positionFrom(value, name) {
+	const [x, y, ...more] = listOf(value, name, (number, at) => likeOf(number, 0, at));
+	if (x === void 0 || y === void 0 || more.length > 0) throw wrong(name);
+	return [x, y];
 }
 function orNull(value, read) {
 	return value == null ? null : read(value);
@@ -6347,6 +6354,12 @@ function failureOf(state) {
 	return stage === void 0 ? null : state.failures[stage] ?? null;
 }
 // www/pair/state/shelf.ts
+function measuredOn(draft, tool) {
+	return {
+		draft,
+		tool: draft === null ? tool : "measure"
+	};
+}
 function keyOfPair(images) {
 	const parts = [images.left, images.right].map((image) => {
 		if (image?.source.kind !== "file") return null;
@@ -6362,12 +6375,22 @@ function keyOfPair(images) {
 function exchangedPair(state, images) {
 	const [before, next] = [keyOfPair(state.images), keyOfPair(images)];
 	const shelf = new Map(state.shelf);
-	if (before !== null && state.history.edits.length > 0) shelf.set(before, state.history);
-	const history = (next === null ? void 0 : shelf.get(next)) ?? NO_HISTORY;
+	const { history: left, draft: leaves } = state;
+	if (before !== null && (left.edits.length > 0 || leaves !== null)) shelf.set(before, {
+		...left,
+		draft: leaves
+	});
+	const comes = next === null ? void 0 : shelf.get(next);
+	const history = comes === void 0 ? NO_HISTORY : {
+		edits: comes.edits,
+		done: comes.done
+	};
 	if (next !== null) shelf.delete(next);
+	const same = shelf.size === 0 && state.shelf.size === 0;
 	return {
 		history,
-		shelf: shelf.size === 0 && state.shelf.size === 0 ? state.shelf : shelf
+		...measuredOn(comes?.draft ?? null, state.tool),
+		shelf: same ? state.shelf : shelf
 	};
 }
 // www/pair/state/project.ts
@@ -6985,7 +7008,7 @@ function isBlank(state) {
 function isWorthKeeping(state) {
 	const areOwn = SIDES.every((side) => (state.images[side]?.source.kind ?? "grey") !== "grey");
 	const isMatched = state.results.match !== void 0 && isCurrent(state, "openLeft") && isCurrent(state, "openRight");
-	return areOwn && isMatched || isEdited(state) || SIDES.some((side) => state.masks[side] !== null);
+	return areOwn && isMatched || isEdited(state) || state.draft !== null || SIDES.some((side) => state.masks[side] !== null);
 }
 function hasMarks({ images, photos, truth }) {
 	return truth === null && SIDES.some((side) => images[side] !== null && hasData(photos[side]));
@@ -7048,11 +7071,8 @@ function resultsOf(state) {
 function areSame(kept, now) {
 	return now.every((value, i) => value === OF_EDITS || value === kept[i]);
 }
-function withKept(state, { typed, display, flight, paused, images, masks, truth, history, shelf, opened, result }) {
-	const fresh = {
-		...INITIAL,
-		catalogue: state.catalogue,
-		notice: state.notice,
+function withKept(state, { typed, display, flight, paused, images, masks, truth, history, draft, shelf, opened, result }) {
+	const given = {
 		...typed,
 		display,
 		flight,
@@ -7060,7 +7080,14 @@ function withKept(state, { typed, display, flight, paused, images, masks, truth,
 		images,
 		masks,
 		truth,
-		shelf
+		shelf,
+		...measuredOn(draft, INITIAL.tool)
+	};
+	const fresh = {
+		...INITIAL,
+		catalogue: state.catalogue,
+		notice: state.notice,
+		...given
 	};
 	if (result === null) return {
 		...fresh,
@@ -7762,41 +7789,8 @@ async function fitted(state, workers, left, right) {
 	});
 	return placeOfFit(matches);
 }
-// www/pair/files/journal.ts
-var SHELF = "pair/shelf";
-var OF_MATCH = 40;
-var Journal = class {
-	edits = new Journal$1("pair/edits", editFrom, bytesOf$2);
-	parts({ history, shelf }) {
-		const parts = this.edits.parts(history);
-		if (shelf.size > 0) parts.set(SHELF, {
-			value: shelf,
-			bytes: [...shelf.values()].reduce((sum, other) => sum + this.edits.size(other.edits), 0)
-		});
-		return parts;
-	}
-	read(parts) {
-		return {
-			history: this.edits.read(parts),
-			shelf: shelfFrom(parts.get(SHELF))
-		};
-	}
-};
-function shelfFrom(value) {
-	if (value === void 0) return new Map();
-	if (!(value instanceof Map)) throw new Error(say("the-edits-of-other-pairs"));
-	const entry = ([key, kept]) => {
-		const { edits, done } = objectOf(kept, "shelf");
-		const list = listOf(edits, "shelf.edits", editFrom);
-		return [likeOf(key, "", "shelf"), {
-			edits: list,
-			done: doneFrom(done, list.length, "shelf.done")
-		}];
-	};
-	return new Map([...value].map(entry));
-}
 function bytesOf$2(edit) {
-	return OF_MATCH * (edit.kind === "reject" || edit.kind === "restore" ? edit.of.length : 2);
+	return 40 * (edit.kind === "reject" || edit.kind === "restore" ? edit.of.length : 2);
 }
 function editFrom(value, name) {
 	const edit = objectOf(value, name);
@@ -7837,6 +7831,62 @@ function placeFrom(value, name) {
 		xr,
 		yr
 	];
+}
+function draftFrom(value, name) {
+	const { of, places, side } = objectOf(value, name);
+	const { left, right } = objectOf(places, `${name}.places`);
+	const placed = (at, own) => orNull(at, (given) => positionFrom(given, `${name}.places.${own}`));
+	if (side !== "left" && side !== "right") throw new Error(say("the-field-is-damaged", { name: `${name}.side` }));
+	return {
+		of: orNull(of, (given) => targetFrom(given, `${name}.of`)),
+		places: {
+			left: placed(left, "left"),
+			right: placed(right, "right")
+		},
+		side
+	};
+}
+// www/pair/files/journal.ts
+var DRAFT = "pair/draft";
+var SHELF = "pair/shelf";
+var Journal = class {
+	edits = new Journal$1("pair/edits", editFrom, bytesOf$2);
+	parts({ history, draft, shelf }) {
+		const parts = this.edits.parts(history);
+		if (draft !== null) parts.set(DRAFT, {
+			value: draft,
+			bytes: 40
+		});
+		if (shelf.size > 0) parts.set(SHELF, {
+			value: shelf,
+			bytes: [...shelf.values()].reduce((sum, other) => sum + this.edits.size(other.edits) + 40, 0)
+		});
+		return parts;
+	}
+	read(parts) {
+		return {
+			history: this.edits.read(parts),
+			draft: orNull(parts.get(DRAFT), (draft) => draftFrom(draft, "draft")),
+			shelf: shelfFrom(parts.get(SHELF))
+		};
+	}
+};
+function shelfFrom(value) {
+	if (value === void 0) return new Map();
+	if (!(value instanceof Map)) throw new Error(say("the-edits-of-other-pairs"));
+	const entry = ([key, kept]) => {
+		const { edits, done, draft } = objectOf(kept, "shelf");
+		const list = listOf(edits, "shelf.edits", editFrom);
+		const own = {
+			edits: list,
+			done: doneFrom(done, list.length, "shelf.done")
+		};
+		return [likeOf(key, "", "shelf"), {
+			...own,
+			draft: orNull(draft, (given) => draftFrom(given, "shelf.draft"))
+		}];
+	};
+	return new Map([...value].map(entry));
 }
 // www/pair/files/ids.ts
 var nextId = 1;
@@ -8277,6 +8327,7 @@ var WATCHED = [
 	"display",
 	"results",
 	"history",
+	"draft",
 	"shelf",
 	"running",
 	"paused"
@@ -8350,7 +8401,7 @@ var KeptPairs = class {
 			name,
 			source: sourceFrom(parts, file)
 		})));
-		const { history, shelf } = this.journal.read(parts);
+		const { history, draft, shelf } = this.journal.read(parts);
 		const result = await this.result(parts, kept);
 		const masks = await this.masks(kept, parts, result?.masks ?? {
 			left: null,
@@ -8374,6 +8425,7 @@ var KeptPairs = class {
 					masks,
 					truth,
 					history,
+					draft,
 					shelf,
 					opened,
 					result
@@ -8558,11 +8610,7 @@ function typedFrom(value, { defaults }, name) {
 	resolved(settings);
 	const camera = orNull(kept.camera, (given) => objectOf(given, `${name}.camera`));
 	if (camera !== null) parse_camera(JSON.stringify(camera));
-	const pair = (given, at) => {
-		const [a, b] = listOf(given, at, (number, place) => likeOf(number, 0, place));
-		return [a ?? NaN, b ?? NaN];
-	};
-	const offset = orNull(kept.offset, (given) => pair(given, `${name}.offset`));
+	const offset = orNull(kept.offset, (given) => positionFrom(given, `${name}.offset`));
 	if (offset !== null) constant_offset(...offset);
 	const photos = objectOf(kept.photos, `${name}.photos`);
 	const photo = (side) => {
@@ -8570,7 +8618,7 @@ function typedFrom(value, { defaults }, name) {
 		const { fiducials, origin } = objectOf(photos[side], at);
 		return {
 			fiducials: listOf(fiducials, `${at}.fiducials`, (mark, place) => objectOf(mark, place)),
-			origin: orNull(origin, (given) => pair(given, `${at}.origin`))
+			origin: orNull(origin, (given) => positionFrom(given, `${at}.origin`))
 		};
 	};
 	const fiducialModel = likeOf(kept.fiducialModel, "", `${name}.fiducialModel`);
@@ -17064,4 +17112,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

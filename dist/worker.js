@@ -238,8 +238,8 @@
 		on_orthophoto() {
 			return wasm.finishedblock_on_orthophoto(this.__wbg_ptr);
 		}
-		static open(bytes) {
-			const ret = wasm.finishedblock_open(bytes);
+		static open(file) {
+			const ret = wasm.finishedblock_open(file);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return FinishedBlock.__wrap(ret[0]);
 		}
@@ -778,8 +778,8 @@
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	function open_pair_project(bytes) {
-		const ret = wasm.open_pair_project(bytes);
+	function open_pair_project(file) {
+		const ret = wasm.open_pair_project(file);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -1028,9 +1028,6 @@
 				},
 				__wbg_new_37eb45aaf5eeb820: function() {
 					return new Array();
-				},
-				__wbg_new_4416a2fe2fac9c65: function(arg0, arg1) {
-					return new TypeError(getStringFromWasm0(arg0, arg1));
 				},
 				__wbg_new_68957d2a912dfa0a: function(arg0) {
 					return new Int32Array(arg0);
@@ -1402,7 +1399,12 @@
 	};
 	var WASM_VECTOR_LEN = 0;
 	var unloaded = new Proxy({}, { get() {
-		throw new Error("the module is not loaded: call the default export of tiepoint and wait for it first");
+		throw Object.assign(new Error("the module is not loaded: call load(), the default export of tiepoint, and wait for it first"), {
+			name: "TiepointError",
+			code: "not-loaded",
+			usage: false,
+			error: { kind: "not-loaded" }
+		});
 	} });
 	var wasm = unloaded;
 	function __wbg_finalize_init(instance, module) {
@@ -1627,13 +1629,13 @@
 		const [x = NaN, y = NaN] = at === null ? reference.image_positions(placement, Float64Array.from(place ?? [])) : reference.ground_positions(placement, Float64Array.from(at));
 		return Number.isNaN(x) ? null : [x, y];
 	}
-	async function orthoControl({ ground, options, place, number, crs, geoidM }) {
+	async function orthoControl({ ground, options, place, number, crs, heights }) {
 		const { reference } = await opened$2(ground);
 		return reference.control_by_hand({
 			place,
 			number,
 			crs,
-			geoid_m: geoidM,
+			...heights,
 			options
 		});
 	}
@@ -1889,6 +1891,7 @@
 		"gps",
 		"control",
 		"masks",
+		"strayMasks",
 		"geoid",
 		"positions",
 		"onOrthophoto"
@@ -1897,12 +1900,13 @@
 		if (!isObject(options)) refuse("options", options, "object");
 		const unknown = Object.keys(options).find((name) => !OPTIONS.includes(name));
 		if (unknown !== void 0) refuseField(unknown);
-		const { cameras, gps, masks, geoid, positions, onOrthophoto } = options;
+		const { cameras, gps, masks, strayMasks, geoid, positions, onOrthophoto } = options;
 		if (isGiven(cameras)) {
 			if (!isObject(cameras)) refuse("cameras", cameras, "{ name, text }");
 			checkType("cameras.text", cameras.text, "string");
 		}
 		if (gps !== void 0 && gps !== "use" && gps !== "ignore") refuse("gps", gps, "use, ignore");
+		if (strayMasks !== void 0 && strayMasks !== "refuse" && strayMasks !== "list") refuse("strayMasks", strayMasks, "refuse, list");
 		if (onOrthophoto !== void 0 && typeof onOrthophoto !== "boolean") refuse("onOrthophoto", onOrthophoto, "true, false");
 		if (isGiven(positions)) checkType("positions", positions, "string");
 		checkSources("images", sources);
@@ -2032,7 +2036,7 @@
 	// pkg/block/run.js
 	async function runBlock(sources, options, surroundings) {
 		checkGiven(sources, options, surroundings);
-		const { settings = {}, cameras, gps, control, geoid, positions, onOrthophoto = false } = options;
+		const { settings = {}, cameras, gps, control, geoid, positions, onOrthophoto = false, strayMasks } = options;
 		const masks = options.masks ?? [];
 		const { pool, progress, news, signal } = surroundings;
 		const names = (files) => files.map(({ name }) => name);
@@ -2045,7 +2049,8 @@
 			control: control ?? null,
 			...geoid && { geoid: geoid.name },
 			...positions !== void 0 && positions !== null && { positions },
-			on_orthophoto: onOrthophoto
+			on_orthophoto: onOrthophoto,
+			refuse_stray_masks: strayMasks !== "list"
 		});
 		const width = pool.size + 1;
 		const step = timed(width);
@@ -2402,7 +2407,7 @@
 	// www/block/engine/outcome.ts
 	function viewOf(block) {
 		const onOrthophoto = block.on_orthophoto();
-		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict, checks, surveyed, given_control: givenControl, origin, crs, geoid_m, points } = block.overview();
+		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict, checks, surveyed, given_control: givenControl, origin, crs, geoid_m, geoid, points } = block.overview();
 		const connections = pairs.map(connectionOf);
 		const ids = block.point_ids();
 		const added = new Set(block.edits().flatMap((edit) => edit.kind === "add_control" ? [edit.name] : []));
@@ -2474,6 +2479,7 @@
 			crs,
 			system: remarks.find((remark) => remark.kind === "result_system")?.crs ?? null,
 			geoidM: geoid_m,
+			geoid,
 			rmsePx: rmse_px,
 			sigma0Px: sigma0_px,
 			checks,
@@ -3994,6 +4000,7 @@
 			return hold$1(await runBlock(files.map(sourceOf), {
 				...options,
 				masks: masks.map(sourceOf),
+				strayMasks: "list",
 				...geoid && { geoid: sourceOf(geoid) }
 			}, {
 				pool: link.pool(workers),

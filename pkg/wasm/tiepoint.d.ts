@@ -111,15 +111,13 @@ export interface ByLinks {
 }
 
 /** A place of the ground that becomes a ground control point of a block. */
-export interface PlaceByHand {
+export interface PlaceByHand extends CountedFrom {
     /** X and Y in the system of the orthophoto. */
     place: readonly [number, number];
     /** Its number among the places by hand, from 1, which names it. */
     number: number;
     /** The coordinate reference system that the block has; absent: its control points are in the system of the orthophoto. */
     crs?: string | null;
-    /** How high the zero of its heights is above the ellipsoid, in m; absent where that is not known. */
-    geoid_m?: number | null;
     /** As of `search`; absent: those that it had. */
     options?: Given<PlacingOptions> | null;
 }
@@ -245,6 +243,7 @@ export type ErrorCode =
 | "invalid-json"
 | "invalid-option"
 | "not-converged"
+| "not-loaded"
 | "not-written"
 | "too-few"
 | "too-many-pixels"
@@ -469,6 +468,16 @@ export interface Work {
 
 
 
+/** Where the heights of a coordinate reference system count from; above the ellipsoid of WGS 84 where both are absent. */
+export interface CountedFrom {
+    /** How high their zero is above the ellipsoid wherever the places are, in m. */
+    geoid_m?: number | null;
+    /** In place of it the part of a geoid about the places, as a block has it. */
+    geoid?: Geoid | null;
+}
+
+
+
 /** `TwoView` with its matches as a typed array. */
 export type TwoViewResult = Omit<TwoView, "inliers"> & { inliers: Uint32Array };
 
@@ -551,6 +560,11 @@ export interface RunInput {
      * Whether an orthophoto is to place the block afterwards: then one or two control points, and check points alone, are of use.
      */
     on_orthophoto?: boolean;
+    /**
+     * Whether masks that belong to none of the images are refused, in place of listed: an image whose mask has a slip in its name would have none. It
+     * is of the call: a run does not keep it.
+     */
+    refuse_stray_masks?: boolean;
 }
 
 /**
@@ -3395,7 +3409,8 @@ export interface RelativeOrientation extends FiveParameters {
     total_standard_errors: FiveParameters | null;
     /**
      * Half-widths of the intervals in which the unknowns lie with a probability of 95 %: the total standard errors, or the others where these are
-     * absent, times the limit of Student's distribution for the degrees of freedom of σ₀ (1.96 of one that is known).
+     * absent, times the limit of Student's distribution: for the degrees of freedom of σ₀, and of the σ₀ of the fiducial marks as far as their errors
+     * count (Welch and Satterthwaite); 1.96 where all are known.
      */
     half_widths_95: FiveParameters | null;
     /**
@@ -3589,6 +3604,10 @@ export interface Interior {
      * Covariance of the three parameters of a row, the same for both rows, which are independent; absent where it is not known.
      */
     covariance?: [[number, number, number], [number, number, number], [number, number, number]] | null;
+    /**
+     * Degrees of freedom of the σ₀ by which the covariance is; absent where that is known.
+     */
+    degrees_of_freedom?: number;
     /**
      * What is not known of the camera; absent: nothing.
      */
@@ -3846,6 +3865,32 @@ export interface FreeParameters {
      */
     radial?: number;
     tangential?: boolean;
+}
+
+/**
+ * The part of a geoid about a block: how high it lies above the ellipsoid at the nodes of a grid, between which it is interpolated in both directions.
+ */
+export interface Geoid {
+    /**
+     * Of the file that it is from.
+     */
+    name: string;
+    /**
+     * Longitude and latitude of the first node in degrees.
+     */
+    south_west_deg: [number, number];
+    /**
+     * From a node to the next one east and north of it.
+     */
+    step_deg: [number, number];
+    /**
+     * Of a row: two or more.
+     */
+    columns: number;
+    /**
+     * Row by row from the south, each from the west; two rows or more.
+     */
+    heights_m: number[];
 }
 
 /**
@@ -4648,6 +4693,10 @@ export interface BlockOverview {
      */
     geoid_m: number | null;
     /**
+     * The part about the block of the geoid from which they count; absent where none was given.
+     */
+    geoid: Geoid | null;
+    /**
      * Changes by hand.
      */
     edits: number;
@@ -4660,7 +4709,7 @@ export interface BlockOverview {
 /**
  * What is weak about a block at a glance.
  */
-export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | { kind: "few_oriented"; oriented: number; images: number } | { kind: "apart"; images: number } | { kind: "none_oriented" } | { kind: "focal_apart"; label: string; estimated_px: number; prior_px: number; apart: number } | { kind: "not_on_orthophoto"; not_linked: NotLinked } | { kind: "doubtful_camera"; remark: Remark } | { kind: "failed"; failure: Failure };
+export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | { kind: "few_oriented"; oriented: number; images: number } | { kind: "apart"; images: number } | { kind: "none_oriented" } | { kind: "few_matches"; matches: number; least: number } | { kind: "focal_apart"; label: string; estimated_px: number; prior_px: number; apart: number } | { kind: "not_on_orthophoto"; not_linked: NotLinked } | { kind: "doubtful_camera"; remark: Remark } | { kind: "failed"; failure: Failure };
 
 /**
  * What is weak about a model.
@@ -4670,7 +4719,7 @@ export type BlockWarning = { kind: "free"; cause: Cause | null; without_heights?
 /**
  * What makes an orientation weak although it could be computed.
  */
-export type Warning = { kind: "plane"; ratio: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number } | { kind: "identical"; copies: number } | { kind: "behind"; points: number } | { kind: "sigma"; estimated_um: number; given_um: number } | { kind: "focal_length"; change_percent: number; w: number } | { kind: "few_places"; places: number; least: number } | { kind: "few_matches"; matches: number; least: number } | { kind: "few_agree"; accepted: number; matches: number } | { kind: "mirrored" } | { kind: "mirrored_marks"; side: Side } | { kind: "unknown_camera" } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "doubtful_focal"; side: Side; sides: number; least: number; most: number } | { kind: "far_principal_point"; side: Side; sides: number; most: number } | { kind: "doubtful_distortion"; side: Side; factor: number; least: number; most: number } | { kind: "resized_or_cropped"; side: Side; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "cropped"; side: Side; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "other_pixels"; side: Side; pixel_um: number; expected_um: number } | { kind: "similarity_alone" } | { kind: "exact"; sigma0_px: number; least_px: number } | { kind: "wide_angle"; coverage: number; most: number } | { kind: "uncertain"; half_width_deg: number; most_deg: number } | { kind: "uncertain_base"; half_width_deg: number; most_deg: number } | { kind: "imprecise"; sigma0_px: number; most_px: number };
+export type Warning = { kind: "plane"; ratio: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number } | { kind: "unchecked"; observations: number } | { kind: "identical"; copies: number } | { kind: "behind"; points: number } | { kind: "sigma"; estimated_um: number; given_um: number } | { kind: "focal_length"; change_percent: number; w: number } | { kind: "unchecked_focal"; ratio: number; least: number } | { kind: "few_places"; places: number; least: number } | { kind: "few_matches"; matches: number; least: number } | { kind: "few_agree"; accepted: number; matches: number } | { kind: "mirrored" } | { kind: "mirrored_marks"; side: Side } | { kind: "unknown_camera" } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "doubtful_focal"; side: Side; sides: number; least: number; most: number } | { kind: "far_principal_point"; side: Side; sides: number; most: number } | { kind: "doubtful_distortion"; side: Side; factor: number; least: number; most: number } | { kind: "resized_or_cropped"; side: Side; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "cropped"; side: Side; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "other_pixels"; side: Side; pixel_um: number; expected_um: number } | { kind: "unused_pixel"; pixel_mm: number; marks_mm: number } | { kind: "similarity_alone" } | { kind: "exact"; sigma0_px: number; least_px: number } | { kind: "wide_angle"; coverage: number; most: number } | { kind: "uncertain"; half_width_deg: number; most_deg: number } | { kind: "uncertain_base"; half_width_deg: number; most_deg: number } | { kind: "imprecise"; sigma0_px: number; most_px: number };
 
 /**
  * What may change from round to round of an adjustment.
@@ -4912,7 +4961,7 @@ export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number;
 /**
  * What the run reports of its input beside the images that it skips.
  */
-export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "far_principal_point"; label: string; sides: number; most: number } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unnamed_errors"; columns: string[] } | { kind: "unknown_mark_columns"; columns: string[] } | { kind: "unknown_position_columns"; columns: string[] } | { kind: "unnamed_position_errors"; columns: string[] } | { kind: "position_heights"; column: string; positions: number } | { kind: "doubled_position_columns"; columns: string[] } | { kind: "positions_of_other_images"; images: string[]; all: boolean } | { kind: "points_without_coordinates"; points: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unknown_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "gnss_without_system"; positions: number } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_elsewhere"; images: number; within_m: number; distance_km: number; crs: string; place_slip: PlaceSlip } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "orthophoto_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "mosaic_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "far_principal_point"; label: string; sides: number; most: number } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "like_scans"; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unnamed_errors"; columns: string[] } | { kind: "unknown_mark_columns"; columns: string[] } | { kind: "unknown_position_columns"; columns: string[] } | { kind: "unnamed_position_errors"; columns: string[] } | { kind: "position_heights"; column: string; positions: number } | { kind: "doubled_position_columns"; columns: string[] } | { kind: "positions_of_other_images"; images: string[]; all: boolean } | { kind: "points_without_coordinates"; points: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unknown_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "gnss_without_system"; positions: number } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_elsewhere"; images: number; within_m: number; distance_km: number; crs: string; place_slip: PlaceSlip } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "orthophoto_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "mosaic_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
 
 /**
  * What two points are compared by.
@@ -5166,7 +5215,7 @@ export class EpipolarPair {
      * Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
      * that order in which the base goes to the right.
      */
-    static open(project: Uint8Array | Uint8ClampedArray | ArrayBuffer, names?: readonly string[] | null): EpipolarPair;
+    static open(project: string | Uint8Array | Uint8ClampedArray | ArrayBuffer, names?: readonly string[] | null): EpipolarPair;
     /**
      * Resamples the grey values of both images, which are given in the order of `names`.
      */
@@ -5250,7 +5299,7 @@ export class FinishedBlock {
     /**
      * Opens a project file; one that is damaged or of another kind is refused whole.
      */
-    static open(bytes: Uint8Array | Uint8ClampedArray | ArrayBuffer): FinishedBlock;
+    static open(file: string | Uint8Array | Uint8ClampedArray | ArrayBuffer): FinishedBlock;
     /**
      * What is shown of it.
      */
@@ -5311,7 +5360,7 @@ export class OrthoMosaic {
      * pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
      * adjustment, as the map of the page is.
      */
-    static open(project: Uint8Array | Uint8ClampedArray | ArrayBuffer, heights: number | Uint8Array | null, heights_sidecars?: Given<Sidecars> | null, gsd?: number | null, in_adjustment?: boolean | null): OrthoMosaic;
+    static open(project: string | Uint8Array | Uint8ClampedArray | ArrayBuffer, heights: number | Uint8Array | null, heights_sidecars?: Given<Sidecars> | null, gsd?: number | null, in_adjustment?: boolean | null): OrthoMosaic;
     /**
      * The indices of its oriented images in an order in which little waits in memory for images to come.
      */
@@ -5723,6 +5772,12 @@ export function film_pixel_mm(film: Given<FilmInput>): number;
 export function film_positions(scan: FilmScan, positions: Float64Array | readonly number[], to: 'frame' | 'scan'): Float64Array;
 
 /**
+ * What is to be said of the camera of a scan: that the side of a pixel that it gives is another than that of the marks, and not used; null where there is
+ * nothing.
+ */
+export function film_warning(film: Given<FilmInput>): Warning | null;
+
+/**
  * Every parameter of a flight.
  */
 export function flight_parameters(): Parameter[];
@@ -5861,7 +5916,7 @@ export function one_image(matches: Float64Array | readonly number[], left_width:
 /**
  * Opens the project file of a pair; one that is damaged or of another kind is refused whole.
  */
-export function open_pair_project(bytes: Uint8Array | Uint8ClampedArray | ArrayBuffer): PairProject;
+export function open_pair_project(file: string | Uint8Array | Uint8ClampedArray | ArrayBuffer): PairProject;
 
 /**
  * Interior orientation by fiducial marks.
@@ -5990,7 +6045,7 @@ export function positions_of_images(text: string, names: readonly string[], plac
 /**
  * What a project file holds, by its first kilobyte; null for what is no project.
  */
-export function project_kind(start: Uint8Array | Uint8ClampedArray | ArrayBuffer): ProjectKind | null;
+export function project_kind(start: string | Uint8Array | Uint8ClampedArray | ArrayBuffer): ProjectKind | null;
 
 /**
  * What EXIF tells of an image of this size beside its pixels.
@@ -6047,12 +6102,12 @@ export function simulate(flight: Given<Flight>): SamplePair;
  * Coordinates in a system (an EPSG code, PROJ text or WKT) of longitudes, latitudes in degrees and heights in m (stride 3): x, east or longitude,
  * first; NaN outside the system, an error where the median of the places lies there.
  */
-export function system_coordinates(crs: string, geographic: Float64Array | readonly number[]): Float64Array;
+export function system_coordinates(crs: string, geographic: Float64Array | readonly number[], heights?: CountedFrom | null): Float64Array;
 
 /**
  * The way back: longitudes, latitudes and heights of coordinates in a system (stride 3).
  */
-export function system_positions(crs: string, coordinates: Float64Array | readonly number[]): Float64Array;
+export function system_positions(crs: string, coordinates: Float64Array | readonly number[], heights?: CountedFrom | null): Float64Array;
 
 /**
  * Throws a panic as an error named `Panic`, which is a bug: a trap without one is memory that ran out.
@@ -6142,6 +6197,7 @@ export interface InitOutput {
     readonly film_pattern: (a: any, b: any) => [number, number, number, number];
     readonly film_pixel_mm: (a: any) => [number, number, number];
     readonly film_positions: (a: any, b: any, c: any) => [number, number, number];
+    readonly film_warning: (a: any) => [number, number, number];
     readonly finishedblock_accuracy: (a: number, b: number, c: number) => [number, number, number];
     readonly finishedblock_carried_edits: (a: number, b: number) => [number, number, number];
     readonly finishedblock_covariances: (a: number, b: any) => [number, number, number, number];
@@ -6270,8 +6326,8 @@ export interface InitOutput {
     readonly score_matches: (a: any, b: any, c: any, d: any, e: any, f: any, g: any) => [number, number, number];
     readonly sha256: (a: any) => [number, number, number, number];
     readonly simulate: (a: any) => [number, number, number];
-    readonly system_coordinates: (a: any, b: any) => [number, number, number];
-    readonly system_positions: (a: any, b: any) => [number, number, number];
+    readonly system_coordinates: (a: any, b: any, c: any) => [number, number, number];
+    readonly system_positions: (a: any, b: any, c: any) => [number, number, number];
     readonly throw_panics: () => void;
     readonly two_view: (a: any, b: any) => [number, number, number];
     readonly version: () => [number, number];

@@ -250,7 +250,7 @@ export class EpipolarPair {
     /**
      * Of a project file. `names`: the left and the right image; absent: those of a pair, or the two of a block that have most points in common, in
      * that order in which the base goes to the right.
-     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} project
+     * @param {string | Uint8Array | Uint8ClampedArray | ArrayBuffer} project
      * @param {readonly string[] | null} [names]
      * @returns {EpipolarPair}
      */
@@ -456,11 +456,11 @@ export class FinishedBlock {
     }
     /**
      * Opens a project file; one that is damaged or of another kind is refused whole.
-     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} bytes
+     * @param {string | Uint8Array | Uint8ClampedArray | ArrayBuffer} file
      * @returns {FinishedBlock}
      */
-    static open(bytes) {
-        const ret = wasm.finishedblock_open(bytes);
+    static open(file) {
+        const ret = wasm.finishedblock_open(file);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -650,7 +650,7 @@ export class OrthoMosaic {
      * Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
      * pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
      * adjustment, as the map of the page is.
-     * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} project
+     * @param {string | Uint8Array | Uint8ClampedArray | ArrayBuffer} project
      * @param {number | Uint8Array | null} heights
      * @param {Given<Sidecars> | null | undefined} heights_sidecars
      * @param {number | null} [gsd]
@@ -1817,6 +1817,20 @@ export function film_positions(scan, positions, to) {
 }
 
 /**
+ * What is to be said of the camera of a scan: that the side of a pixel that it gives is another than that of the marks, and not used; null where there is
+ * nothing.
+ * @param {Given<FilmInput>} film
+ * @returns {Warning | null}
+ */
+export function film_warning(film) {
+    const ret = wasm.film_warning(film);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * Every parameter of a flight.
  * @returns {Parameter[]}
  */
@@ -2279,11 +2293,11 @@ export function one_image(matches, left_width, left_height, right_width, right_h
 
 /**
  * Opens the project file of a pair; one that is damaged or of another kind is refused whole.
- * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} bytes
+ * @param {string | Uint8Array | Uint8ClampedArray | ArrayBuffer} file
  * @returns {PairProject}
  */
-export function open_pair_project(bytes) {
-    const ret = wasm.open_pair_project(bytes);
+export function open_pair_project(file) {
+    const ret = wasm.open_pair_project(file);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2624,7 +2638,7 @@ export function positions_of_images(text, names, placing) {
 
 /**
  * What a project file holds, by its first kilobyte; null for what is no project.
- * @param {Uint8Array | Uint8ClampedArray | ArrayBuffer} start
+ * @param {string | Uint8Array | Uint8ClampedArray | ArrayBuffer} start
  * @returns {ProjectKind | null}
  */
 export function project_kind(start) {
@@ -2781,10 +2795,11 @@ export function simulate(flight) {
  * first; NaN outside the system, an error where the median of the places lies there.
  * @param {string} crs
  * @param {Float64Array | readonly number[]} geographic
+ * @param {CountedFrom | null} [heights]
  * @returns {Float64Array}
  */
-export function system_coordinates(crs, geographic) {
-    const ret = wasm.system_coordinates(crs, geographic);
+export function system_coordinates(crs, geographic, heights) {
+    const ret = wasm.system_coordinates(crs, geographic, heights);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2795,10 +2810,11 @@ export function system_coordinates(crs, geographic) {
  * The way back: longitudes, latitudes and heights of coordinates in a system (stride 3).
  * @param {string} crs
  * @param {Float64Array | readonly number[]} coordinates
+ * @param {CountedFrom | null} [heights]
  * @returns {Float64Array}
  */
-export function system_positions(crs, coordinates) {
-    const ret = wasm.system_positions(crs, coordinates);
+export function system_positions(crs, coordinates, heights) {
+    const ret = wasm.system_positions(crs, coordinates, heights);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -3055,10 +3071,6 @@ function __wbg_get_imports() {
         },
         __wbg_new_37eb45aaf5eeb820: function() {
             const ret = new Array();
-            return ret;
-        },
-        __wbg_new_4416a2fe2fac9c65: function(arg0, arg1) {
-            const ret = new TypeError(getStringFromWasm0(arg0, arg1));
             return ret;
         },
         __wbg_new_68957d2a912dfa0a: function(arg0) {
@@ -3519,7 +3531,9 @@ if (!('encodeInto' in cachedTextEncoder)) {
 
 let WASM_VECTOR_LEN = 0;
 
-const unloaded = new Proxy({}, { get() { throw new Error('the module is not loaded: call the default export of tiepoint and wait for it first'); } });
+const unloaded = new Proxy({}, { get() {
+    throw Object.assign(new Error('the module is not loaded: call load(), the default export of tiepoint, and wait for it first'), { name: 'TiepointError', code: 'not-loaded', usage: false, error: { kind: 'not-loaded' } });
+} });
 let wasmModule, wasmInstance, wasm = unloaded;
 function __wbg_finalize_init(instance, module) {
     wasmInstance = instance;
