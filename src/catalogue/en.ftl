@@ -939,7 +939,7 @@ warning-plane = All points lie in a plane within their precision: a second orien
 warning-clustered = The points cover a small part of the photo (root mean square { FIXED($coverage, digits: 2) } focal lengths from their middle; at least { $least } is sound).
 warning-rotation = The photos hardly differ but by a rotation: the base is too short to be distinguished from noise and distortion (parallax { SIGNIFICANT($parallax_deg, digits: 2) }°; at least { SIGNIFICANT($least_deg, digits: 2) }° is sound).
 warning-ill-conditioned = The unknowns are hardly separable, as over a critical cylinder (condition { POWER($condition, digits: 1) }; up to { POWER($most, digits: 0) } is sound).
-warning-unchecked = { $observations } observations do not check each other: a gross error in one of them cannot be found, nor do the standard errors show it. Measure more points.
+warning-unchecked = { $observations } observations hardly check each other: a gross error in one of them is not found unless it is very large, nor do the standard errors show it. Measure more points.
 warning-identical =
     { $copies ->
         [one] 1 observation is the same as another

@@ -8,8 +8,9 @@ use super::result::Warning;
 /// From this condition on, as of a narrow field of view, what matches share does not imitate a focal length: on no right pair.
 pub(super) const NARROW: f64 = 1e4;
 
-/// With half the focal length σ₀ was 0.99 to 1.05 times as large where the given one was 2.5 times too long, and 1.6 times and more where it was
-/// right, on photographs of narrow view of both kinds. Errors that matches share do less.
+/// With half the focal length σ₀ was 0.99 to 1.05 times as large where the given one was 2.5 times too long, and 1.6 times and more where it was right, on
+/// photographs of narrow view; errors that matches share do less. Over level ground it is 1 for right ones as well, as for parts of the scans of metric
+/// cameras, which the caller spares.
 const EXCLUDED: f64 = 1.2;
 
 /// The warning that half the focal length fits nearly as well as the given one: views of a long focal length hardly tell it over level ground, and no

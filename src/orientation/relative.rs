@@ -21,6 +21,9 @@ use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, Rela
 use crate::Error;
 use crate::math::joint_limit;
 
+/// With fewer degrees of freedom the residuals are all of one size, or nearly, whatever is wrong.
+const LEAST_CHECKED: usize = 3;
+
 /// Orients the right photo relative to the left one, which stays fixed: ω φ κ, by and bz for a given b.
 ///
 /// photo = M·(X - X_L) with M = M3(κ)·M2(φ)·M1(ω); the left photo has M = I and X_L = 0, the right photo X_L = (b, by, bz). Points lie in
@@ -161,7 +164,7 @@ impl Outcome {
         let both_poses =
             plane.as_ref().and_then(|plane| plane.warning(Weighted { rays: kept, weights: kept_solved }, &adjusted.pose, adjusted.sigma));
         let mut warnings = warnings(condition, both_poses, spread, (beside_rotation, adjusted.sigma));
-        if !noncentrality.is_finite() {
+        if known.is_none() && degrees_of_freedom < LEAST_CHECKED {
             warnings.push(Warning::Unchecked { observations: kept.len() });
         }
         if self.behind > 0 {

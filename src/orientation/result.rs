@@ -128,7 +128,8 @@ messages! {
         Rotation { parallax_deg: f64, least_deg: f64 },
         /// The unknowns can hardly be told apart, as over a critical cylinder.
         IllConditioned { #[serde(with = "crate::json::infinite")] condition: f64, most: f64 },
-        /// So few observations that none checks the others: a gross error in one of them can neither be found nor does it show in the standard errors.
+        /// So few observations that they hardly check each other: a gross error in one of them is not found unless it is very large, nor does it show in the
+        /// standard errors.
         Unchecked { observations: usize },
         /// Observations that are the same as others to the last digit: each counts once.
         Identical { copies: usize },

@@ -2,7 +2,7 @@
 
 use super::no_orientation::NoOrientation;
 use crate::camera::{FARTHEST_PRINCIPAL, USUAL_FOCAL, contradict, far_principal};
-use crate::{CameraCaution, CameraMm, Error, ExifCamera, Interior, Side, Warning};
+use crate::{CameraCaution, CameraMm, Error, ExifCamera, Fiducial, Interior, Side, Warning};
 use serde::Serialize;
 
 /// What of a photo tells its camera.
@@ -112,14 +112,23 @@ const USUAL_OF_FILM: [f64; 2] = [0.9, 1.1];
 /// What speaks against the other constants of a photo, as those in other units do.
 fn doubt_of_rest(side: Side, camera: &CameraMm, size: (usize, usize)) -> Option<Warning> {
     let interior = Interior::from_pixel_size(camera, size.0, size.1).ok()?;
-    doubt_of_principal(side, &interior, size).or_else(|| doubt_of_corner(side, &interior, size, USUAL_AT_CORNER))
+    let of_principal = doubt_of_principal(side, interior.principal_point_px(), [size.0 as f64, size.1 as f64]);
+    of_principal.or_else(|| doubt_of_corner(side, &interior, size, USUAL_AT_CORNER))
 }
 
-/// The same of a scan with its interior orientation by fiducial marks, which tell how large its pixels are on the film.
-pub(super) fn doubt_of_scan(side: Side, focal_mm: f64, interior: &Interior, size: (usize, usize)) -> Option<Warning> {
+/// The same of a scan with its interior orientation by fiducial marks, which tell how large its pixels are on the film, and where the middle of the photo
+/// lies: that of a part of the scan lies elsewhere.
+pub(super) fn doubt_of_scan(side: Side, focal_mm: f64, interior: &Interior, size: (usize, usize), marks: &[Fiducial]) -> Option<Warning> {
     let of_focal = || doubt_of(side, focal_mm / interior.pixel_mm(), None, size.0.max(size.1));
-    let of_rest = || doubt_of_principal(side, interior, size).or_else(|| doubt_of_corner(side, interior, size, USUAL_OF_FILM));
-    of_focal().or_else(of_rest)
+    let of_principal = || {
+        let range = |of: fn(&Fiducial) -> f64| {
+            let ends = (f64::INFINITY, f64::NEG_INFINITY);
+            marks.iter().map(of).fold(ends, |(least, most), at| (least.min(at), most.max(at)))
+        };
+        let ([x, y], (left, right), (low, high)) = (interior.principal_point_mm, range(|mark| mark.x_mm), range(|mark| mark.y_mm));
+        doubt_of_principal(side, [x - left, y - low], [right - left, high - low])
+    };
+    of_focal().or_else(of_principal).or_else(|| doubt_of_corner(side, interior, size, USUAL_OF_FILM))
 }
 
 /// What is to be said of the pixel of a camera beside that of a scan by its fiducial marks, which counts.
@@ -128,8 +137,9 @@ pub(crate) fn unused_pixel(camera: &CameraMm, marks_mm: f64) -> Option<Warning> 
     Some(Warning::UnusedPixel { pixel_mm, marks_mm })
 }
 
-fn doubt_of_principal(side: Side, interior: &Interior, (width, height): (usize, usize)) -> Option<Warning> {
-    let sides = far_principal(interior.principal_point_px(), [width as f64, height as f64])?;
+/// `at`: from a corner of the photo, which has this `size` in the same unit.
+fn doubt_of_principal(side: Side, at: [f64; 2], size: [f64; 2]) -> Option<Warning> {
+    let sides = far_principal(at, size)?;
     Some(Warning::FarPrincipalPoint { side, sides, most: FARTHEST_PRINCIPAL })
 }
 
@@ -166,6 +176,12 @@ fn doubt_of(side: Side, focal_px: f64, file_px: Option<f64>, longer_px: usize) -
 mod tests {
     use super::*;
     use crate::CameraOrigin;
+
+    /// Marks in the corners of a photo of so many mm.
+    fn corners(width: f64, height: f64) -> [Fiducial; 4] {
+        let mark = |[x, y]: [f64; 2]| Fiducial { col: 0.0, row: 0.0, x_mm: 0.5 * width * x, y_mm: 0.5 * height * y };
+        [[-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [1.0, -1.0]].map(mark)
+    }
 
     /// What speaks against a camera of this focal length in px, given for photos of 640 px whose right file says what it says.
     fn doubt(focal_px: f64, exif: Option<&ExifCamera>, has_marks: bool) -> Option<Warning> {
@@ -218,8 +234,11 @@ mod tests {
         let photo = KnownPhoto { size: (640, 480), exif: None, has_marks: false };
         let doubt = |camera: &CameraMm| PairCameras::of(Some(camera), [photo; 2]).unwrap().unwrap().doubt;
         let scanned = |focal_mm, camera: &CameraMm| {
-            doubt_of_scan(Side::Right, focal_mm, &Interior::from_pixel_size(camera, 640, 480).unwrap(), (640, 480))
+            doubt_of_scan(Side::Right, focal_mm, &Interior::from_pixel_size(camera, 640, 480).unwrap(), (640, 480), &corners(6.4, 4.8))
         };
+        // In a part of the scan it lies outside, and where it is.
+        let interior = Interior::from_pixel_size(&camera([0.0; 2]), 640, 480).unwrap();
+        assert_eq!(doubt_of_scan(Side::Left, 6.0, &interior, (100, 80), &corners(6.4, 4.8)), None);
         let far = |side| Some(Warning::FarPrincipalPoint { side, sides: 0.625, most: 0.5 });
         assert_eq!((doubt(&camera([3.0, 0.0])), scanned(6.0, &camera([3.0, 0.0]))), (None, None));
         assert_eq!((doubt(&camera([4.0, 0.0])), scanned(6.0, &camera([4.0, 0.0]))), (far(Side::Left), far(Side::Right)));
@@ -258,7 +277,7 @@ mod tests {
         // A scan of 80 mm is of a camera whose distortion is far smaller.
         let of_film = |k1: f64| {
             let camera = CameraMm { radial_distortion: [k1, 0.0, 0.0], ..CameraMm::without_distortion(100.0, Some(0.1)) };
-            doubt_of_scan(Side::Right, 100.0, &Interior::from_pixel_size(&camera, 640, 480).unwrap(), (640, 480))
+            doubt_of_scan(Side::Right, 100.0, &Interior::from_pixel_size(&camera, 640, 480).unwrap(), (640, 480), &corners(64.0, 48.0))
         };
         assert_eq!(of_film(2e-8), None);
         assert!(

@@ -111,7 +111,9 @@ pub(super) fn pair_interior(
     let own = |side, camera, image: PairImage<'_>, photo: &PhotoInput| {
         let size = (image.grey.width(), image.grey.height());
         let interior = photo_interior(camera, size.0, size.1, photo)?;
-        let of_scan = || doubt_of_scan(side, camera.focal_mm, &interior, size).or_else(|| unused_pixel(camera, interior.pixel_mm()));
+        let of_scan = || {
+            doubt_of_scan(side, camera.focal_mm, &interior, size, &photo.fiducials).or_else(|| unused_pixel(camera, interior.pixel_mm()))
+        };
         let doubt = if photo.fiducials.is_empty() { None } else { of_scan() };
         Ok::<_, Error>((interior, doubt))
     };

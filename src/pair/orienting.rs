@@ -79,6 +79,10 @@ fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &Orientat
         }
     }
     check_precision(&found, interior.left.pixel_mm(), options)?;
+    if interior.are_scans {
+        // The focal length of a metric camera is of its calibration: that the photos do not check it is nothing against it.
+        found.warnings.retain(|warning| !matches!(warning, Warning::UncheckedFocal { .. }));
+    }
     if !self_calibration::is_calibrated(interior) {
         // The intervals hold what is not known of the focal length.
         found.warnings.retain(|warning| !matches!(warning, Warning::FocalLength { .. } | Warning::UncheckedFocal { .. }));

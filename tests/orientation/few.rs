@@ -37,6 +37,8 @@ fn six_points_are_never_rejected_and_nothing_is_detectable() {
     let found = oriented(&NADIR.observe(6, SIGMA_MM, 3), &NADIR.options());
     assert_eq!((found.rejected.len(), found.degrees_of_freedom, found.noncentrality), (0, 1, None));
     assert_eq!(found.warnings, [Warning::Unchecked { observations: 6 }]);
+    let warnings = |points: usize| oriented(&NADIR.observe(points, SIGMA_MM, 3), &NADIR.options()).warnings;
+    assert_eq!((warnings(7), warnings(8)), (vec![Warning::Unchecked { observations: 7 }], vec![]));
     // A σ₀ that is known tells a gross error from noise.
     let known = OrientationOptions { sigma0_mm: Some(SIGMA_MM), ..NADIR.options() };
     assert_eq!(oriented(&NADIR.observe(6, SIGMA_MM, 3), &known).warnings, []);

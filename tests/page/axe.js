@@ -41,6 +41,8 @@ export function looker(page, found) {
     for (const [what, why] of findings) if (!found.has(what)) found.set(what, `${where}: ${what}: ${why}`);
   };
   return async (where, within = 'html') => {
+    // A dialog may open a moment after the press.
+    await page.locator(within).first().waitFor();
     for (const [screen, size] of /** @type {const} */ ([
       ['laptop', LAPTOP],
       ['phone', PHONE],

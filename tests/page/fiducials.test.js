@@ -77,7 +77,8 @@ test('a mark that is cleared is expected where the others have it, measured agai
   assert.deepEqual(await typed('right'), await typed('left'));
   await part(page, 'undo-fiducials-right').click();
   await part(page, 'coordinates-fiducials-right').waitFor();
-  // The table is whole in its drawer: no number is cut, and residuals and buttons are in sight.
+  // The table is whole in its drawer: no number is cut, and residuals and buttons are in sight. Residuals come once the marks are transformed.
+  await page.waitForFunction(() => (document.querySelector('[data-testid="fiducials-left"] tbody .residual')?.textContent ?? '') !== '');
   const room = await part(page, 'fiducials-left').evaluate((table) => {
     const { left, right } = /** @type {HTMLElement} */ (table.parentElement).getBoundingClientRect();
     const inside = [...table.querySelectorAll('input, button, td.residual span')].map((one) => {
