@@ -23,6 +23,14 @@ const kept = (page, name, is) => until(page, `${name} is kept`, async () => (is(
 /** Where the points of the match are, as the bar above the pictures says it.  @param {Page} page @param {RegExp} pattern */
 const drafted = async (page, pattern) => /left [^.]*\.\d+, [^ ]+ · right [^ ]+ [^ ]+/.exec(await says(page, 'draft-text', pattern))?.[0] ?? '';
 
+/** The placed point is where it was; the other one is expected within a fraction of a px of where it was, as what it is expected by is computed anew.  @param {string} shown @param {string} before */
+function samePlaces(shown, before) {
+  const [now, then] = [shown, before].map((text) => [...text.matchAll(/\d+\.\d+/g)].map(Number));
+  assert.ok(now?.length === 4 && then?.length === 4, `${shown}; before ${before}`);
+  assert.deepEqual(now.slice(0, 2), then.slice(0, 2));
+  for (const k of [2, 3]) assert.ok(Math.abs((now[k] ?? NaN) - (then[k] ?? NaN)) < 0.3, `${shown}; before ${before}`);
+}
+
 test('a match that is being measured, new or moved, is measured on after a reload and after New', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await pair(page);
@@ -33,7 +41,7 @@ test('a match that is being measured, new or moved, is measured on after a reloa
   await page.reload();
   await says(page, 'status', /Restored from this browser/);
   await done(page);
-  assert.equal(await drafted(page, /The right point is predicted: /), places);
+  samePlaces(await drafted(page, /The right point is predicted: /), places);
   assert.equal(await part(page, 'tool-measure').getAttribute('aria-pressed'), 'true');
 
   await part(page, 'projects').click();
@@ -41,7 +49,7 @@ test('a match that is being measured, new or moved, is measured on after a reloa
   await until(page, 'the pair is gone', async () => (await part(page, 'draft').isHidden()) || null);
   await part(page, 'projects').click();
   await page.locator('[data-testid="project"]:not([aria-current]) .link').first().click();
-  assert.equal(await drafted(page, /The right point is predicted: /), places);
+  samePlaces(await drafted(page, /The right point is predicted: /), places);
   await done(page);
   await page.screenshot({ path: join(SHOTS, 'measured-on-pair.png') });
   await press(page, 'right');
@@ -102,7 +110,7 @@ test('a match of a pair of a block waits there while the block and other pairs a
   await go(0);
   await says(page, 'name-left', /photo_00000/);
   await done(page);
-  assert.equal(await drafted(page, /right/), places);
+  samePlaces(await drafted(page, /right/), places);
   await press(page, 'right', 0.5, 0.5);
   await says(page, 'draft-text', /Place the right point/);
   await page.keyboard.press('Enter');
