@@ -2,14 +2,14 @@
 
 use super::adjusted::Adjusted;
 use super::coplanarity::{Ray, Unknowns};
-use super::narrow::NARROW;
 use super::normals::Normals;
+use super::other_focal::NARROW;
 use super::precision::derivatives;
 use crate::math::student_limit;
 use nalgebra::SVector;
 
 /// Below this (in units of the focal length) residuals are rounding.
-const LEAST_SIGMA: f64 = 1e-11;
+pub(super) const LEAST_SIGMA: f64 = 1e-11;
 /// The root mean square of the y-parallaxes, in standard errors, that the residuals must owe to the focal length. Neighbouring matches and
 /// those of one surface share errors, which the test takes for many independent ones: with the true focal length they imitate up to
 /// 0.24 of it, on simulated flights of all kinds.

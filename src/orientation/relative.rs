@@ -9,6 +9,7 @@ use super::identical::Different;
 use super::interval::{effective_freedom, fewer, half_widths};
 use super::normals::{Matrix5, correlations};
 use super::observed::Weighted;
+use super::other_focal::OtherFocals;
 use super::plane::PlaneFit;
 use super::precision::{derivatives, in_degrees, parameters, propagated, signed_base, standard_errors};
 use super::reliability::Judgement;
@@ -17,7 +18,7 @@ use super::robust_start::median_parallax;
 use super::shared_covariance::{self, SharedCovariance};
 use super::sigma::Sigma;
 use super::warning::{condition, parallax_beside_rotation, spread, warnings};
-use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, narrow, neighbours};
+use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours};
 use crate::Error;
 use crate::math::joint_limit;
 
@@ -178,8 +179,11 @@ impl Outcome {
         let misfit = half_widths
             .as_ref()
             .and_then(|widths| focal::misfit(adjusted, (kept, &in_normals), widths, (self.base_mm, condition), options.alpha0));
+        let others = OtherFocals::of(adjusted, (kept, &in_normals));
+        // Where both are asked for, the one that takes more from the residuals.
+        let misfit = misfit.into_iter().chain(others.misfit(options.alpha0)).max_by(|a, b| a.w.abs().total_cmp(&b.w.abs()));
         warnings.extend(misfit.map(|found| Warning::FocalLength { change_percent: 100.0 * found.change, w: found.w }));
-        warnings.extend(narrow::warning(adjusted, (kept, &in_normals), condition));
+        warnings.extend(others.unchecked(condition));
         let ellipse = total.map(|c| ErrorEllipse::new(c[(3, 3)], c[(3, 4)], c[(4, 4)]));
         let cofactors: [[f64; 5]; 5] = std::array::from_fn(|i| std::array::from_fn(|j| propagated[(i, j)] / (focal_mm * focal_mm)));
         RelativeOrientation {

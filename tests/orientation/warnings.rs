@@ -68,6 +68,23 @@ fn a_focal_length_that_nothing_checks_is_said_and_one_that_relief_checks_is_not(
 }
 
 #[test]
+fn a_focal_length_twice_too_long_is_heard_where_views_converge() {
+    // The best pose of twice the focal length lies where no small change of it helps.
+    let converging = Pair { angles_deg: [0.5, -16.0, -4.0], base: [50.0, 20.0, -3.0], relief: 0.2, ..NADIR };
+    let heard = |factor: f64, seed: u64| {
+        let found = orient_relative(&converging.observe(400, SIGMA_MM, seed), factor * FOCAL_MM, &converging.options()).unwrap();
+        found.warnings.iter().find_map(|warning| match warning {
+            Warning::FocalLength { change_percent, .. } => Some(*change_percent),
+            _ => None,
+        })
+    };
+    for seed in 0..5 {
+        assert_eq!(heard(1.0, seed), None, "{seed}");
+        assert!(heard(2.0, seed).is_some_and(|change| change == -50.0), "{seed}");
+    }
+}
+
+#[test]
 fn a_critical_cylinder_is_told_by_the_condition() {
     // Points on a circular cylinder along the base that holds both projection centres (Finsterwalder's critical cylinder).
     let mut dice = Dice::new(5);

@@ -9,7 +9,7 @@ import { ofFolder, ofSeed } from './sites.mjs';
 
 /** @typedef {import('./pairs.mjs').Given} Given @typedef {import('./views.mjs').View} View @typedef {import('./views.mjs').Pair} Pair @typedef {import('./views.mjs').Fiducial} Fiducial */
 
-const FOCAL_FACTORS = [0.4, 2.5];
+const FOCAL_FACTORS = [0.4, 2.5, 2];
 
 /** @type {[string, (marks: Fiducial[], k: number) => Fiducial[]][]} */
 const MARKS = [
@@ -28,7 +28,7 @@ export function wrongCameras() {
 function wrongFocal() {
   const flights = Array.from({ length: 12 }, (_, k) => {
     const [preset, seed] = [flight_presets()[k % 4] ?? 'paper', 680 + k];
-    return { name: `${preset} ${seed}`, where: ofSeed(seed), make: () => flight(preset, seed), by: FOCAL_FACTORS[(k >> 1) % 2] ?? 1 };
+    return { name: `${preset} ${seed}`, where: ofSeed(seed), make: () => flight(preset, seed), by: FOCAL_FACTORS[(k >> 1) % FOCAL_FACTORS.length] ?? 1 };
   });
   const photographs = posedPairs()
     .filter((_, k) => k % 4 === 1)
@@ -36,7 +36,7 @@ function wrongFocal() {
       name: `${posed.folder} ${posed.a} ${posed.b}`,
       where: ofFolder(posed.folder),
       make: () => calibrated(posed),
-      by: FOCAL_FACTORS[k % 2] ?? 1,
+      by: FOCAL_FACTORS[k % FOCAL_FACTORS.length] ?? 1,
     }));
   return [...flights, ...photographs].map(({ name, where, make, by }) => ({
     kind: 'wrong focal length',
