@@ -885,7 +885,7 @@ no-orientation-contradicted-focal = nothing fits the given focal length of { FIX
 no-orientation-far-principal-point = nothing fits the principal point, which lies { SIGNIFICANT($sides, digits: 2) } times the longer side of the { $side } image from its middle, where up to { $most } times is usual (are its coordinates in another unit, or from another origin?)
 no-orientation-panorama = the { $side } image is a panorama: it has no central perspective, and no camera
 no-orientation-no-geometry = no geometry of the two views: { $no_geometry }
-no-orientation-pure-rotation = no base (pure rotation): the photos differ by a rotation alone
+no-orientation-pure-rotation = no base that can be told (pure rotation): within the precision of the matches the photos differ by a rotation alone, as where the base is short beside the distance of what they show
 no-orientation-plane-without-camera = nearly all matches fit the homography of one plane, as those of flat ground and of a rotation alone do, and that determines no focal length: give the camera
 no-orientation-one-photo = no base: both images show the same at the same places (is it one photo twice?)
 no-orientation-parts-of-one-image = no base: the images differ by a shift, a turn and a scale alone; both may be parts of one image
@@ -930,7 +930,7 @@ two-view-model-rotation = rotation without a base
 
 degeneracy-plane = Nearly all points lie in a plane: without known cameras the orientation is not determined; with them, its warnings say whether that matters.
     .short = ground nearly plane
-degeneracy-pure-rotation = No base (pure rotation): the photos differ by a rotation alone, so nothing can be oriented.
+degeneracy-pure-rotation = No base that can be told (pure rotation): within the precision of the matches the photos differ by a rotation alone, so nothing can be oriented.
     .short = no base
 
 ## Warnings about a relative orientation.
