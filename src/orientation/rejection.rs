@@ -211,6 +211,7 @@ fn by_rounds(observed: Weighted<'_>, start: RelativePose, mut agreeing: Vec<bool
     let mut accepted = agreeing.clone();
     let mut pose = start;
     let mut last = false;
+    let (mut before, mut swings) = (Vec::new(), false);
     let (mut student, mut tau) = (Remembered::of(student_limit), Remembered::of(tau_limit));
     for round in 0..MAX_ROUNDS {
         let (kept, weights) = observed.kept(&accepted);
@@ -224,7 +225,7 @@ fn by_rounds(observed: Weighted<'_>, start: RelativePose, mut agreeing: Vec<bool
         let redundancy = agreeing.iter().filter(|agrees| **agrees).count().saturating_sub(5);
         let within = sigma * tau.at(limits.alpha0, redundancy);
         let beyond = sigma * student.at(limits.alpha0, redundancy);
-        let free = round < FREE_ROUNDS;
+        let free = round < FREE_ROUNDS && !swings;
         let tested = standardised.iter().zip(&agreeing).zip(&accepted);
         let next: Vec<bool> = tested.map(|((t, agrees), was)| t.size <= if *agrees { within } else { beyond } && (*was || free)).collect();
         if next == accepted || kept.len() == 5 {
@@ -233,7 +234,9 @@ fn by_rounds(observed: Weighted<'_>, start: RelativePose, mut agreeing: Vec<bool
             }
             last = true;
         } else {
-            accepted = next;
+            // Two sets that lead to each other would do so until rounds are no longer free: on with the one that it is then.
+            swings |= next == before && round < FREE_ROUNDS && (FREE_ROUNDS - round) % 2 == 1;
+            before = std::mem::replace(&mut accepted, next);
         }
     }
     Err(super::refusal::diverged(MAX_ROUNDS, Cause::Unsettled { unsettled: Unsettled::GrossErrors, rounds: MAX_ROUNDS }))
