@@ -16,9 +16,10 @@ mod stated_errors;
 pub use flown::{GEOID_M, UTM, control, files, flown};
 use flown::{both, by_gnss, in_utm, numbers, run, run_of};
 use proj_core::Transform;
+use std::collections::BTreeMap;
 use tiepoint::{
-    Axis, BlockEdit, BlockOverview, BlockRun, BlockVerdict, BlockWarning, ControlRole, ControlTexts, Datum, Mistake, OverviewWarning,
-    Remark, RunInput,
+    Axis, BlockEdit, BlockOverview, BlockRun, BlockVerdict, BlockWarning, ControlRole, ControlTexts, Datum, ExportFormat, Mistake,
+    OverviewWarning, Remark, RunInput, export_run,
 };
 
 #[test]
@@ -74,6 +75,12 @@ fn tables_are_in_the_system_of_the_control_points() {
         "{:?}",
         points[0]
     );
+    // Those that are exported by themselves are the same.
+    let mut exported = BTreeMap::new();
+    export_run(run, ExportFormat::Csv, &mut |path, text| Ok(drop(exported.insert(path.to_string(), text.to_string())))).unwrap();
+    for (file, columns) in [("images.csv", &["x", "y", "z", "kappa_deg"][..]), ("points.csv", &["x", "y", "z"])] {
+        assert_eq!(numbers(&exported[file], columns), numbers(&files[file], columns), "{file}");
+    }
     for file in ["summary.json", "orientation.json", "report.html"] {
         assert!(files[file].contains("ETRS89 / UTM zone 32N"), "{file}");
     }

@@ -58,9 +58,10 @@ test('plots show what is known, and choose what their values are about', () => {
     [0.2, 0.4],
   ]);
   assert.deepEqual(values('gnss'), [['a'], [1]]);
+  // Of tie points: the third point is a check point.
   assert.deepEqual(values('rays'), [
     ['2', '3'],
-    [2, 1],
+    [1, 1],
   ]);
   // Along the longer side of the block; points without a standard error, and rejected ones, are left out.
   assert.deepEqual(values('sigma-plan'), [
@@ -82,13 +83,54 @@ test('plots show what is known, and choose what their values are about', () => {
   assert.deepEqual(images.together([0, 1]), { kind: 'images', images: [0, 2] });
   assert.deepEqual([0, 1].map(images.chosen({ kind: 'pair', images: [1, 2] })), [false, true]);
   const rays = plotOf('rays', VIEW, FACTS);
-  assert.deepEqual(rays.choice(0), { kind: 'points', points: Uint32Array.of(0, 2) });
+  assert.deepEqual(rays.choice(0), { kind: 'point', point: 0 });
   assert.deepEqual([0, 1].map(rays.chosen({ kind: 'point', point: 1 })), [false, true]);
   const residuals = plotOf('residuals', VIEW, FACTS);
   assert.deepEqual(residuals.choice(1), { kind: 'observation', point: 0, image: 2 });
   assert.deepEqual([0, 1].map(residuals.chosen({ kind: 'observation', point: 0, image: 2 })), [false, true]);
   assert.deepEqual([0, 1].map(residuals.chosen(null)), [false, false]);
   assert.deepEqual(plotOf('sigma-plan', VIEW, FACTS).together([0, 1]), { kind: 'points', points: Uint32Array.of(0, 1) });
+});
+
+/** What a file of a plot says of its values, beside the axes.  @param {string} name @param {object} [view] */
+const about = (name, view = VIEW) => {
+  const data = page.plots.plotOf(name, view, FACTS);
+  return (data.about ?? []).map((/** @type {any} */ { label, text }) => [label, ...Array.from(data.x.values.keys(), text)]);
+};
+
+test('files of plots name the image and the point of each value', () => {
+  const images = ['Image', 'a', 'c'];
+  assert.deepEqual(about('residuals'), [images, ['Point', '1', '1']]);
+  assert.deepEqual(about('w'), [
+    ['Image', 'a', 'a', 'c', 'c'],
+    ['Point', '1', '1', '1', '1'],
+    ['Coordinate', 'x', 'y', 'x', 'y'],
+  ]);
+  // Its axis names the images.
+  assert.deepEqual(about('detectable'), [['Point', '1', '1']]);
+  assert.deepEqual(about('sigma-height'), [['Point', '1', '2']]);
+  const named = { ...VIEW, surveyed: [{ name: 'G1', role: 'check', point: 0, isUsed: true, difference_m: [3, 4, -2] }] };
+  assert.deepEqual(about('residuals', named), [images, ['Point', 'G1', 'G1']]);
+  assert.deepEqual(about('images'), []);
+});
+
+test('standard errors lie along the block in the system of the results, which the axis names', () => {
+  const { x, y } = page.plots.plotOf('sigma-height', VIEW, FACTS);
+  assert.deepEqual([x.label, x.unit, [...x.values]], ['Y', 'm', [0, 90]]);
+  const view = {
+    ...VIEW,
+    points: { ...VIEW.points, positions: VIEW.points.positions.slice() },
+    origin: { longitude_deg: 8.5, latitude_deg: 50.1, height_m: 150 },
+    crs: 'EPSG:25832',
+    system: 'ETRS89 / UTM zone 32N',
+    geoidM: null,
+  };
+  const there = page.plots.plotOf('sigma-height', view, FACTS);
+  assert.deepEqual([there.x.label, there.x.unit], ['Y EPSG:25832', 'm']);
+  const [first = NaN, second = NaN] = there.x.values;
+  assert.ok(first > 5_549_000 && first < 5_551_000 && Math.abs(second - first - 90) < 0.5, `${first} ${second}`);
+  assert.deepEqual([...there.y.values], [...y.values]);
+  assert.match(page.plot_words.plotText(there), /^2 values over Y EPSG:25832\. /u);
 });
 
 test('w-statistics are shown over those of normal errors, minimal detectable biases where their images are', () => {

@@ -111,10 +111,21 @@ fn write_tables(run: &BlockRun, emit: Emit<'_>) -> Result<(), Error> {
     emit("pairs.csv", &tables::pairs(run, &pair_rows(run)?.0))
 }
 
+/// Writes a finished block in one format, as [`export_block`] does; tables are in the coordinate reference system of the results, as those of [`block_files`].
+///
+/// # Errors
+/// Those of [`export_block`].
+pub fn export_run(run: &BlockRun, format: ExportFormat, emit: Emit<'_>) -> Result<(), Error> {
+    match format {
+        ExportFormat::Csv => export_block(&InSystem::of(run).model(), format, emit),
+        _ => export_block(&run.model, format, emit),
+    }
+}
+
 fn write_format(run: &BlockRun, format: ExportFormat, emit: Emit<'_>) -> Result<ExportOutcome, Error> {
     let folder = word(&format);
     let mut broken = None;
-    let written = export_block(&run.model, format, &mut |path, text| {
+    let written = export_run(run, format, &mut |path, text| {
         emit(&format!("{folder}/{path}"), text).inspect_err(|error| broken = Some(error.clone()))
     });
     match (broken, written) {

@@ -29,7 +29,7 @@ pub use accuracy::{AccuracyMap, AccuracySummary, Expected, accuracy_map};
 pub use check_summary::CheckSummary;
 pub use covariances::{CovarianceUnknown, Covariances, block_covariances, covariance_table};
 pub use coverage::{Coverage, coverage};
-pub use files::{BlockFiles, block_files, planned_files};
+pub use files::{BlockFiles, block_files, export_run, planned_files};
 pub use images::{ImageReason, ImageRow};
 pub use in_system::ResultSystem;
 pub use inspection::{

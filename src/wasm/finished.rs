@@ -5,7 +5,7 @@ use super::message::texts_of;
 use crate::{
     BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockPlaces, BlockRun, BlockScore, Carrying, ExportFormat, FileFault, ImagePoint,
     ObservationPart, PointColumns, Project, accuracy_map, block_covariances, block_epipolar_line, carried_steps as steps_carried,
-    check_truth, covariance_table, export_block, image_points, planned_files as plan, point_detail, point_ids, read_project, score_block,
+    check_truth, covariance_table, export_run, image_points, planned_files as plan, point_detail, point_ids, read_project, score_block,
     write_block_project,
 };
 use js_sys::{Function, Uint8Array, Uint16Array, Uint32Array};
@@ -224,14 +224,14 @@ impl FinishedBlock {
         score_block(&self.run.model, &read::<BlockModel>("truth", truth)?).map(|score| pack(&score)).map_err(thrown)
     }
 
-    /// Writes it in one format.
+    /// Writes it in one format; tables are in the coordinate reference system of the results.
     pub fn export(
         &self,
         #[wasm_bindgen(unchecked_param_type = "ExportFormat")] format: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Emit")] emit: &Function,
     ) -> JsResult<()> {
         let format: ExportFormat = read("format", format)?;
-        emitting(emit, |emit| export_block(&self.run.model, format, emit))
+        emitting(emit, |emit| export_run(&self.run, format, emit))
     }
 
     /// All its files, in steps of about one. `score`: what the summary holds of a simulated block; `language`: the tag of that of the report, `en`

@@ -62,7 +62,7 @@ test('plots say what they show, choose by press and rectangle in all views, and 
 
   // All points, by a rectangle over their standard errors; then those of one number of rays.
   await part(page, 'plot-name').selectOption('sigma-height');
-  const [, points = ''] = /^(\d+) values over [xy]\. Standard error in height: /.exec(await says(page, 'block-plot-words', /height/)) ?? [];
+  const [, points = ''] = /^(\d+) values over [XY]\. Standard error in height: /.exec(await says(page, 'block-plot-words', /height/)) ?? [];
   assert.ok(Number(points) > 20, points);
   await page.keyboard.down('Shift');
   await page.mouse.move(...at(0.01, 0.01));
@@ -83,6 +83,8 @@ test('plots say what they show, choose by press and rectangle in all views, and 
   await part(page, 'block-show-plots').click();
   await part(page, 'plot-name').selectOption('residuals');
   await says(page, 'block-plot-words', /^[\d\u202f]+ values over residual vx\. Residual vy: /u);
+  // Each residual with its image and its point.
+  assert.match((await saved(page, 'plot-csv')).toString(), /^Image,Point,Residual vx \[px\],Residual vy \[px\]\nphoto_0000\d\.png,\d+,-?\d/u);
   assert.deepEqual([...(await saved(page, 'plot-png')).subarray(1, 4)], [...Buffer.from('PNG')]);
   assert.doesNotMatch(await status(page, /block-residuals\.png was saved\.$/), /csv/);
   await page.screenshot({ path: join(SHOTS, 'plots-residuals.png') });
@@ -102,8 +104,8 @@ test('plots say what they show, choose by press and rectangle in all views, and 
   await says(page, 'block-plot-words', /^[\d\u202f]+ values over image\. Minimal detectable bias: median \d+\.\d{3}, from /u);
   await page.screenshot({ path: join(SHOTS, 'plots-detectable.png') });
   const biases = (await saved(page, 'plot-csv')).toString().trimEnd().split('\n');
-  assert.equal(biases[0], 'Image,Minimal detectable bias [px]');
-  assert.match(biases[1] ?? '', /^photo_0000\d\.png,\d+(\.\d+)?$/);
+  assert.equal(biases[0], 'Point,Image,Minimal detectable bias [px]');
+  assert.match(biases[1] ?? '', /^\d+,photo_0000\d\.png,\d+(\.\d+)?$/);
   await part(page, 'plot-name').selectOption('gnss');
   await says(page, 'block-plot-words', /^6 values over image\. GNSS minus adjusted position: /);
   await part(page, 'plot-name').selectOption('surveyed-plan');

@@ -11,13 +11,22 @@ export async function made(block: FinishedBlock, kind: ExportKind, name: string,
   const write: Emit = (path, text) => files.set(path, text);
   if (kind === 'project') write(`${name}-project.tiepoint`, block.project());
   else if (kind === 'everything') await inSteps(block.files(export_formats(), null, LANGUAGE), write, signal);
+  else if (kind === 'csv') await inSteps(block.files([], null, LANGUAGE), tablesTo(write), signal, () => files.size > 0);
   else block.export(kind, write);
   return packed(files, `${name}-${kind}`, signal);
 }
 
-async function inSteps(writing: BlockWriting, write: Emit, signal: AbortSignal): Promise<void> {
+/** The tables among all files: those of surveyed points and pairs too, and in the system of the results. */
+function tablesTo(write: Emit): Emit {
+  return (path, text) => {
+    if (path.endsWith('.csv')) write(path, text);
+  };
+}
+
+/** `isDone`: of a part of the files, whether all of it is written. */
+async function inSteps(writing: BlockWriting, write: Emit, signal: AbortSignal, isDone = () => false): Promise<void> {
   try {
-    while (writing.step(write) === null) await pause(signal);
+    while (writing.step(write) === null && !isDone()) await pause(signal);
   } finally {
     writing.free();
   }

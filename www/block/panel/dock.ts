@@ -21,7 +21,7 @@ import { say } from '../../shared/text/words';
 const TABLES: readonly (readonly [Subject, string])[] = [
   ['images', say('images-2')],
   ['pairs', say('pairs')],
-  ['points', say('tie-points')],
+  ['points', say('points')],
   ['observations', say('observations')],
   ['surveyed', say('control-and-check-points')],
 ];

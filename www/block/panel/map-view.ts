@@ -13,13 +13,14 @@ import { whyNotLaid } from '../state/laid';
 import { resultSystem } from '../state/result-system';
 import { isInSystemOf } from '../state/showing';
 import { imagesOfBlock, isBusy } from '../state/state';
+import { countedPoints } from '../state/point-kinds';
 import { inverse, mapped } from '../state/under';
 import { unitText, withUnit } from '../../shared/text/units';
 import type { BlockView, Layout } from '../state/view';
 import { mostMatches } from '../state/words';
 import { colouredPoints, GRADIENT } from '../view/map/colouring';
 import { lengthText } from '../view/map/frame';
-import { offsetsOf } from '../view/map/ground';
+import { longestText, offsetsOf } from '../view/map/ground';
 import type { Colouring, MapLook } from '../view/map/look';
 import { BlockMap } from '../view/map/map';
 import { KEYS_ID } from './view';
@@ -185,10 +186,10 @@ function inWords(map: BlockMap, view: BlockView): string {
   const coloured = colouredPoints(view.points, map.shows.colouring);
   if (coloured !== null) {
     const { title, from, to, digits, unit } = coloured.scale;
-    const gone = view.points.count - view.points.taking;
+    const { tie, gone } = countedPoints(view);
     parts.push(
       say('tie-points-from-to', {
-        taking: view.points.taking,
+        taking: tie.points,
         what: gone > 0 ? say('and-rejected-by-hand', { gone }) : '',
         title,
         from: fixed(from, digits),
@@ -201,9 +202,9 @@ function inWords(map: BlockMap, view: BlockView): string {
   const gsd = medianGsd(view, ground);
   if (gsd !== null) parts.push(say('ground-sample-distance', { gsd: lengthText(gsd, system) }));
   const { longest } = offsetsOf(view, ground);
-  if (longest.gnss > 0) parts.push(say('gnss-positions-differ-by-up', { gnss: lengthText(longest.gnss, system) }));
-  if (longest.surveyed > 0)
-    parts.push(say('surveyed-points-differ-by-up', { surveyed: view.surveyed.length, surveyed_2: lengthText(longest.surveyed, system) }));
+  if (longest.gnss.plan > 0) parts.push(say('gnss-positions-differ-by-up', { gnss: longestText(longest.gnss, system) }));
+  if (longest.surveyed.plan > 0)
+    parts.push(say('surveyed-points-differ-by-up', { surveyed: view.surveyed.length, surveyed_2: longestText(longest.surveyed, system) }));
   return `${parts.join('. ')}.`;
 }
 

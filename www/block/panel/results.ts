@@ -9,6 +9,7 @@ import { count, fixed } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
 import type { BlockStore } from '../engine/engine';
 import { placedFiles } from '../state/placed';
+import { countedPoints } from '../state/point-kinds';
 import { isStale } from '../state/purpose';
 import { isBusy } from '../state/state';
 import type { BlockState, Shown } from '../state/state';
@@ -123,7 +124,7 @@ function checkFact({ points, rmse_m: rmse, ratio }: CheckSummary): Fact {
 function factsOf(view: BlockView): Fact[] {
   const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected');
   const matches = connected.reduce((sum, connection) => sum + matchesOf(connection), 0);
-  const rays = view.images.reduce((sum, image) => sum + image.rays, 0);
+  const { tie, surveyed } = countedPoints(view);
   return [
     {
       name: say('images-oriented-3'),
@@ -158,9 +159,19 @@ function factsOf(view: BlockView): Fact[] {
     {
       name: say('selected-tie-points'),
       testid: 'block-points-count',
-      value: say('observations-3', { taking: view.points.taking, rays }),
+      value: say('observations-2', { points: tie.points, rays: tie.observations }),
       help: say('the-tie-points-of-the'),
     },
+    ...(surveyed.points === 0
+      ? []
+      : [
+          {
+            name: say('control-and-check-points'),
+            testid: 'block-surveyed-count',
+            value: say('observations-2', { points: surveyed.points, rays: surveyed.observations }),
+            help: say('control-and-check-points-of-the'),
+          },
+        ]),
     ...(view.checks === null ? [] : [checkFact(view.checks)]),
     {
       name: 'RMSE',

@@ -13,6 +13,7 @@ import { orthophotoText } from '../files/ground';
 import { doubtOf } from '../state/doubt';
 import { lackingText } from '../state/lacking';
 import { collectedOf, waitsForMarks } from '../state/marks';
+import { countedPoints } from '../state/point-kinds';
 import { controlText } from '../state/words';
 import { unplacedFiles } from '../state/placed';
 import type { Purpose } from '../state/placing';
@@ -279,12 +280,14 @@ function connectedPairs({ connections }: BlockView): number {
 
 /** What there is of it, after its verdict. */
 function countsOf({ view, seconds }: Shown): string {
+  const counted = countedPoints(view);
   return say('block-done', {
     images: view.images.length,
     verdict: '',
     skipped: view.leftOut.length,
     pairs: connectedPairs(view),
-    points: view.points.taking,
+    points: counted.tie.points,
+    surveyed: counted.surveyed.points,
     found: view.found?.points ?? null,
     time: seconds === 0 ? null : duration(seconds),
     warnings: view.warnings.length,

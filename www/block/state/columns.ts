@@ -8,7 +8,8 @@ import type { ViewObservations } from './facts';
 import type { Coordinates } from './marks';
 import type { Choice, Selection, Subject } from './selection';
 import type { Listed } from './state';
-import { imageCoordinates, pointCoordinates, resultSystem, surveyedCoordinates } from './result-system';
+import { pointColumn, surveyedAt } from './point-kinds';
+import { headOf, imageCoordinates, pointCoordinates, resultSystem, surveyedCoordinates, unitOn } from './result-system';
 import type { ResultSystem } from './result-system';
 import { unitOf } from './scale';
 import type { BlockView, ViewGiven } from './view';
@@ -25,14 +26,7 @@ export interface Rows {
 
 export const NO_ROWS: Rows = { count: 0, columns: [] };
 
-/** X and Y of a system are in one unit, Z in another where it has one. */
-const unitOn = ({ unit }: ResultSystem, axis: number) => unit[axis < 2 ? 0 : 1];
 const moreOn = ({ more }: ResultSystem, axis: number) => (axis < 2 ? more : 0);
-
-/** The head of a coordinate: with the system that it is in, where that has a name. */
-function headOf({ code }: ResultSystem, axis: string): string {
-  return code === '' ? axis : sayNamed('in-system', { axis, code });
-}
 
 /** `own`: what is said of it in the system of the adjustment. */
 function helpOf({ name }: ResultSystem, axis: string, own: string): string {
@@ -129,11 +123,13 @@ function pointRows(view: BlockView): Rows {
       total: 'rms',
     }),
   ];
+  const kindOf = (point: number) => KINDS[surveyedAt(view, point)?.role ?? 'tie'];
   return {
     count: points.count,
     columns: [
-      numbers('point', say('point'), '', 0, (i) => i + 1, say('number-of-the-point-press')),
-      numbers('point-rays', say('rays-2'), '', 0, (i) => points.rays[i] ?? NaN, say('number-of-images-that-see'), { total: 'mean' }),
+      pointColumn(view, 'point', (i) => i, say('number-of-the-point-press')),
+      ...(view.surveyed.length === 0 ? [] : [words('point-kind', say('kind'), kindOf, say('tie-point-or-control'))]),
+      numbers('point-rays', say('rays-2'), '', 0, (i) => points.rays[i] ?? NaN, say('observations-of-the-point'), { total: 'mean' }),
       numbers('point-rmse', 'RMSE', 'px', 2, (i) => points.rmsePx[i] ?? NaN, say('root-mean-square-length-of-the'), { total: 'rms' }),
       ...axis('X', 0),
       ...axis('Y', 1),
@@ -143,6 +139,8 @@ function pointRows(view: BlockView): Rows {
     ],
   };
 }
+
+const KINDS = { tie: say('tie-point-2'), control: say('control-point'), check: say('check-point') } as const;
 
 const NO_COORDINATES: Coordinates = new Map();
 
@@ -242,19 +240,20 @@ const AXES = ['x', 'y'];
 const PARTS = [say('accepted'), say('rejected-2'), say('rejected-by-hand-2')];
 
 /** All observations of a block; the same object while both are the same. */
-export const observationRows = remember(({ images }: BlockView, of: ViewObservations): Rows => {
+export const observationRows = remember((view: BlockView, of: ViewObservations): Rows => {
+  const { images, points } = view;
   const residual = (row: number) => Math.hypot(of.residuals[2 * row] ?? NaN, of.residuals[2 * row + 1] ?? NaN);
   return {
     count: of.points.length,
     columns: [
       words('observation-image', say('image-2'), (i) => images[of.images[i] ?? -1]?.name ?? '', say('the-image-that-shows-the')),
-      numbers('observation-point', say('point'), '', 0, (i) => (of.points[i] ?? NaN) + 1, say('number-of-the-point')),
+      pointColumn(view, 'observation-point', (i) => of.points[i], say('number-of-the-point')),
       numbers('observation-x', 'x', 'px', 2, (i) => of.places[2 * i] ?? NaN, say('column-the-centre-of-the')),
       numbers('observation-y', 'y', 'px', 2, (i) => of.places[2 * i + 1] ?? NaN, say('row')),
       numbers('observation-vx', 'vx', 'px', 2, (i) => of.residuals[2 * i] ?? NaN, say('residual-in-x-observed-minus'), { total: 'rms' }),
       numbers('observation-vy', 'vy', 'px', 2, (i) => of.residuals[2 * i + 1] ?? NaN, say('residual-in-y-observed-minus'), { total: 'rms' }),
       numbers('observation-v', say('residual'), 'px', 2, residual, say('length-of-the-residual'), { total: 'rms' }),
-      numbers('observation-rays', say('rays-2'), '', 0, (i) => raysOf(of)[of.points[i] ?? -1] ?? NaN, say('observations-of-the-point-rejected')),
+      numbers('observation-rays', say('rays-2'), '', 0, (i) => points.rays[of.points[i] ?? -1] ?? NaN, say('observations-of-the-point')),
       ...AXES.flatMap((axis, k) => [
         numbers(`observation-r${axis}`, `r ${axis}`, '', 2, (i) => of.redundancy[2 * i + k] ?? NaN, say('redundancy-number-of-an-observation', { axis }), {
           total: 'mean',
@@ -265,13 +264,6 @@ export const observationRows = remember(({ images }: BlockView, of: ViewObservat
       words('observation-part', say('part'), (i) => PARTS[of.parts[i] ?? 0] ?? '', say('whether-the-adjustment-accepted-the')),
     ],
   };
-});
-
-/** Observations of each point. */
-const raysOf = remember((of: ViewObservations): Uint16Array => {
-  const rays = new Uint16Array(of.points.reduce((most, point) => Math.max(most, point), -1) + 1);
-  for (const point of of.points) rays[point] = (rays[point] ?? 0) + 1;
-  return rays;
 });
 
 /** Whether an observation belongs to what is chosen: to its points in any image, to its images, or to common points of its pairs. Everything where nothing is. */

@@ -4,6 +4,11 @@ import { say } from '../../shared/text/words';
 import type { PlotData } from './plots';
 import { unitText } from '../../shared/text/units';
 
+/** A label as a sentence goes on with it: "image", but "X EPSG:25832". */
+function withinSentence(label: string): string {
+  return label.replace(/^\p{Lu}(?=\p{Ll})/u, (first) => first.toLowerCase());
+}
+
 export function plotText({ x, y }: PlotData): string {
   const sorted = y.values.filter(Number.isFinite).sort();
   const unchecked = y.values.length - sorted.length;
@@ -12,7 +17,7 @@ export function plotText({ x, y }: PlotData): string {
   const at = (share: number) => fixed(sorted[Math.round(share * (sorted.length - 1))] ?? NaN, 3);
   const text = say('values-over-median-from-to', {
     sorted: sorted.length,
-    to_lower_case: x.label.toLowerCase(),
+    to_lower_case: withinSentence(x.label),
     label: y.label,
     at: at(0.5),
     at_2: at(0),

@@ -1,8 +1,12 @@
 /** The plots of a block: what they show of images, points and observations, and what each value is about. */
+import { words } from '../../shared/state/columns';
 import { remember } from '../../shared/state/remember';
+import type { Column } from '../../shared/state/rows';
 import type { ViewObservations } from './facts';
 import type { ViewGround } from './ground';
 import { normalQuantiles } from './normal';
+import { pointColumn, surveyedAt } from './point-kinds';
+import { headOf, pointCoordinates, resultSystem, unitOn } from './result-system';
 import { unitOf } from './scale';
 import { choiceOfImages, choiceOfPoints, imagesOf, pointsOf } from './selection';
 import type { Choice } from './selection';
@@ -43,6 +47,8 @@ export interface PlotData {
   square: boolean;
   /** A line goes where both values are the same. */
   equal?: boolean;
+  /** Columns of its file that say what a value is about, where its axes do not. */
+  about?: readonly Column[];
   /** What a value is about. */
   choice: (row: number) => Choice | null;
   /** Tells the values that a choice is about. */
@@ -75,7 +81,7 @@ export function plotOf(name: PlotName, view: BlockView, facts: PlotFacts): PlotD
     case 'detectable': {
       const of = facts.observations();
       if (of === null) return null;
-      return name === 'residuals' ? residuals(of) : name === 'w' ? sortedTests(of) : detectable(view, of);
+      return name === 'residuals' ? residuals(view, of) : name === 'w' ? sortedTests(view, of) : detectable(view, of);
     }
     case 'gnss': {
       const ground = facts.ground();
@@ -129,10 +135,10 @@ function ofPoints(points: Uint32Array, x: Axis, y: Axis, bars = false): PlotData
   };
 }
 
-/** Standard errors of points over their place along the longer side of the block. */
+/** Standard errors of points over their place along the longer side of the block, in the system of the results. */
 const alongBlock = remember((view: BlockView, plan: boolean): PlotData => {
   const { points } = view;
-  const unit = unitOf(view);
+  const system = resultSystem(view);
   const coordinate = (point: number, axis: number) => points.positions[3 * point + axis] ?? NaN;
   const error = (point: number) => {
     const [x = NaN, y = NaN, z = NaN] = points.errors.subarray(3 * point, 3 * point + 3);
@@ -147,11 +153,14 @@ const alongBlock = remember((view: BlockView, plan: boolean): PlotData => {
     return high - low;
   });
   const axis = (span[1] ?? 0) > (span[0] ?? 0) ? 1 : 0;
-  return ofPoints(
-    rows,
-    { label: axis === 0 ? 'X' : 'Y', unit, values: Float64Array.from(rows, (point) => coordinate(point, axis)) },
-    { label: plan ? say('standard-error-in-plan') : say('standard-error-in-height'), unit, values: Float64Array.from(rows, error) },
-  );
+  const coordinates = pointCoordinates(view);
+  const x = {
+    label: headOf(system, axis === 0 ? 'X' : 'Y'),
+    unit: unitOn(system, axis),
+    values: Float64Array.from(rows, (point) => coordinates[3 * point + axis] ?? NaN),
+  };
+  const y = { label: plan ? say('standard-error-in-plan') : say('standard-error-in-height'), unit: unitOf(view), values: Float64Array.from(rows, error) };
+  return { ...ofPoints(rows, x, y), about: [pointColumn(view, 'point', (row) => rows[row], '')] };
 });
 
 const surveyedPoints = remember(({ surveyed }: BlockView, plan: boolean): PlotData => {
@@ -169,13 +178,14 @@ const surveyedPoints = remember(({ surveyed }: BlockView, plan: boolean): PlotDa
   );
 });
 
-/** How many points have so many rays. */
-const byRays = remember(({ points }: BlockView): PlotData => {
+/** How many tie points have so many rays. */
+const byRays = remember((view: BlockView): PlotData => {
+  const { taking, rays: all } = view.points;
+  const tied = Uint32Array.from({ length: taking }, (_, point) => point).filter((point) => surveyedAt(view, point) === undefined);
   const counts = new Map<number, number>();
-  for (const rays of points.rays.subarray(0, points.taking)) counts.set(rays, (counts.get(rays) ?? 0) + 1);
+  for (const point of tied) counts.set(all[point] ?? 0, (counts.get(all[point] ?? 0) ?? 0) + 1);
   const rays = [...counts.keys()].sort((a, b) => a - b);
-  const all = points.rays.subarray(0, points.taking);
-  const withRays = (wanted: ReadonlySet<number | undefined>) => choiceOfPoints(Uint32Array.from(all.keys()).filter((point) => wanted.has(all[point])));
+  const withRays = (wanted: ReadonlySet<number | undefined>) => choiceOfPoints(tied.filter((point) => wanted.has(all[point])));
   return {
     x: { label: say('rays-2'), unit: '', values: Float64Array.from(rays.keys()), names: rays.map(String) },
     y: { label: say('tie-points'), unit: '', values: Float64Array.from(rays, (number) => counts.get(number) ?? 0) },
@@ -191,13 +201,25 @@ const byRays = remember(({ points }: BlockView): PlotData => {
 });
 
 /** Values of observations, each of the one that `row` gives for it. */
-function ofObservations(of: ViewObservations, row: (value: number) => number, x: Axis, y: Axis, drawn: Pick<PlotData, 'square' | 'equal'>): PlotData {
+function ofObservations(
+  view: BlockView,
+  of: ViewObservations,
+  row: (value: number) => number,
+  x: Axis,
+  y: Axis,
+  drawn: Pick<PlotData, 'square' | 'equal'>,
+): PlotData {
   const pointAt = (value: number) => of.points[row(value)] ?? -1;
   const imageAt = (value: number) => of.images[row(value)] ?? -1;
   return {
     x,
     y,
     bars: false,
+    about: [
+      // Where the axis does not say it.
+      ...(x.names === undefined ? [words('image', say('image-2'), (value) => view.images[imageAt(value)]?.name ?? '', '')] : []),
+      pointColumn(view, 'point', pointAt, ''),
+    ],
     ...drawn,
     choice: (value) => ({ kind: 'observation', point: pointAt(value), image: imageAt(value) }),
     chosen: (choice) => {
@@ -213,31 +235,34 @@ function rowsWith(of: ViewObservations, value: (row: number) => number | undefin
   return Uint32Array.from(of.points.keys()).filter((row) => !Number.isNaN(value(row)) && of.parts[row] === 0);
 }
 
-const residuals = remember((of: ViewObservations): PlotData => {
+const residuals = remember((view: BlockView, of: ViewObservations): PlotData => {
   const rows = rowsWith(of, (row) => of.residuals[2 * row]);
   const axis = (label: string, offset: number): Axis => ({
     label,
     unit: 'px',
     values: Float64Array.from(rows, (row) => of.residuals[2 * row + offset] ?? NaN),
   });
-  return ofObservations(of, (value) => rows[value] ?? -1, axis(say('residual-vx'), 0), axis(say('residual-vy'), 1), { square: true });
+  return ofObservations(view, of, (value) => rows[value] ?? -1, axis(say('residual-vx'), 0), axis(say('residual-vy'), 1), { square: true });
 });
 
 /** The w-statistics of columns and rows over those that as many normally distributed ones would have. */
-const sortedTests = remember((of: ViewObservations): PlotData => {
+const sortedTests = remember((view: BlockView, of: ViewObservations): PlotData => {
   const places = Uint32Array.from(of.w.keys()).filter((place) => !Number.isNaN(of.w[place]) && of.parts[place >> 1] === 0);
   const values = Float64Array.from(places, (place) => of.w[place] ?? NaN);
   const sorted = values.slice().sort();
   const quantiles = normalQuantiles(sorted.length);
   // Equal ones stand at the first of their places.
   const expected = values.map((value) => quantiles[firstAt(sorted, value)] ?? NaN);
-  return ofObservations(
+  const data = ofObservations(
+    view,
     of,
     (value) => (places[value] ?? -2) >> 1,
     { label: say('w-of-normal-errors'), unit: '', values: expected },
     { label: say('w-statistic'), unit: '', values },
     { square: false, equal: true },
   );
+  const axis = words('coordinate', say('image-coordinate'), (value) => ((places[value] ?? 0) % 2 === 0 ? 'x' : 'y'), '');
+  return { ...data, about: [...(data.about ?? []), axis] };
 });
 
 /** The first place of a value among sorted ones. */
@@ -255,7 +280,8 @@ function firstAt(sorted: Float64Array, value: number): number {
 const BESIDE = 0.8;
 
 /** The larger minimal detectable bias of column and row, image by image, each as far to the right as it lies in its image. An error of any size stays undetected where nothing checks a coordinate. */
-const detectable = remember(({ images }: BlockView, of: ViewObservations): PlotData => {
+const detectable = remember((view: BlockView, of: ViewObservations): PlotData => {
+  const { images } = view;
   const larger = (row: number) => {
     const largest = Math.max(of.detectable[2 * row] ?? NaN, of.detectable[2 * row + 1] ?? NaN);
     return Number.isNaN(largest) ? Infinity : largest;
@@ -267,6 +293,7 @@ const detectable = remember(({ images }: BlockView, of: ViewObservations): PlotD
     return image + BESIDE * ((of.places[2 * row] ?? NaN) / (images[image]?.width ?? NaN) - 0.5);
   };
   return ofObservations(
+    view,
     of,
     (value) => rows[value] ?? -1,
     { label: say('image-2'), unit: '', values: Float64Array.from(rows, across), names: images.map(({ name }) => name) },

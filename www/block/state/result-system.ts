@@ -4,6 +4,7 @@ import type { CountedFrom } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import { fixed } from '../../shared/text/format';
 import { withUnit } from '../../shared/text/units';
+import { sayNamed } from '../../shared/text/words';
 import { median } from './ground';
 import { unitOf } from './scale';
 import { mapped } from './under';
@@ -92,6 +93,16 @@ function unitOfLength(perM: number): Unit {
   const is = (wanted: number) => Math.abs(perM / wanted - 1) < MOST_SCALE;
   if (is(1)) return 'm';
   return is(1 / FOOT_M) ? 'ft' : perM < 1e-3 ? '°' : '';
+}
+
+/** The head of a coordinate: with the system that it is in, where that has a name. */
+export function headOf({ code }: ResultSystem, axis: string): string {
+  return code === '' ? axis : sayNamed('in-system', { axis, code });
+}
+
+/** X and Y of a system are in one unit, Z in another where it has one. */
+export function unitOn({ unit }: ResultSystem, axis: number): Unit {
+  return unit[axis < 2 ? 0 : 1];
 }
 
 /** Of the positions of points: there are many, and they are those of one result in its system, however often that is shown. */

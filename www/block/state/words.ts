@@ -3,6 +3,7 @@ import { asFigure } from '../../shared/text/direction';
 import { count, fixed } from '../../shared/text/format';
 import { collectedOf } from './marks';
 import type { WithMarks } from './marks';
+import { surveyedAt } from './point-kinds';
 import { keyOfPair } from './selection';
 import type { Choice } from './selection';
 import type { Listed } from './state';
@@ -125,8 +126,8 @@ function describePairs(view: BlockView, pairs: readonly (readonly [number, numbe
 }
 
 /** As tables and views call it: of a surveyed point its name. */
-export function nameOfPoint({ surveyed }: BlockView, point: number): string {
-  return surveyed.find((known) => known.point === point)?.name ?? say('point-of-number', { number: point + 1 });
+export function nameOfPoint(view: BlockView, point: number): string {
+  return surveyedAt(view, point)?.name ?? say('point-of-number', { number: point + 1 });
 }
 
 function describePoint(view: BlockView, point: number): string {
@@ -164,7 +165,8 @@ export function givenUse({ role, images }: ViewGiven): string {
   return sayNamed('given-use', { role: role ?? 'none', images });
 }
 
-function describePoints({ points }: BlockView, chosen: Uint32Array): string {
+function describePoints(view: BlockView, chosen: Uint32Array): string {
+  const { points } = view;
   let [least, most, squares, adjusted] = [Infinity, 0, 0, 0];
   for (const point of chosen) {
     const rays = points.rays[point] ?? 0;
@@ -178,6 +180,7 @@ function describePoints({ points }: BlockView, chosen: Uint32Array): string {
   const rays = least === most ? count(most) : say('to', { least, most });
   return say('tie-points-of-rays', {
     chosen: chosen.length,
+    surveyed: chosen.filter((point) => surveyedAt(view, point) !== undefined).length,
     rays,
     what: adjusted > 0 ? say('rmse-px-5', { squares: Math.sqrt(squares / adjusted) }) : '',
     what_2: gone > 0 ? say('rejected-by-hand-3', { gone }) : '',

@@ -19,7 +19,8 @@ export interface Doing {
 /** The line over a table: how many rows it shows, its columns, and what is made of them. */
 export class TableBar {
   readonly element: HTMLElement;
-  private readonly caption = h('span', { class: 'note', role: 'status', aria: { live: 'polite' } });
+  private readonly rows = h('span', {});
+  private readonly caption: HTMLElement;
   private readonly list = h('div', { class: 'menu' });
   private readonly clear: HTMLButtonElement;
   private readonly hidden: Set<string>;
@@ -27,13 +28,18 @@ export class TableBar {
 
   constructor(
     testid: string,
-    private readonly words: string,
+    words: string,
     private readonly doing: Doing,
     tools: readonly HTMLElement[],
   ) {
     this.name = `tiepoint-hidden-${testid}`;
     this.hidden = new Set((keptChoice(this.name) ?? '').split(' ').filter((key) => key !== ''));
-    this.caption.dataset.testid = `${testid}-caption`;
+    this.caption = h(
+      'span',
+      { class: 'note', role: 'status', testid: `${testid}-caption`, aria: { live: 'polite', atomic: 'true' } },
+      h('span', { class: 'rows-of' }, `${words}: `),
+      this.rows,
+    );
     this.clear = button(say('show-all'), `${testid}-clear`, doing.clear, say('takes-away-what-is-typed'));
     const csv = button('CSV', `${testid}-csv`, () => void this.save(csv), say('saves-the-rows-and-columns'));
     const copy = button(say('copy-2'), `${testid}-copy`, () => void this.copy(copy), say('copies-the-rows-and-columns'));
@@ -53,8 +59,8 @@ export class TableBar {
 
   /** `filtered`: not all rows are shown; `clears`: what leaves them out can be taken away here. */
   say(shown: number, all: number, filtered: boolean, clears: boolean): void {
-    const text = `${this.words}: ${filtered ? say('of-8', { shown: counted(shown) }) : ''}${counted(all)}`;
-    if (this.caption.textContent !== text) this.caption.textContent = text;
+    const text = `${filtered ? say('of-8', { shown: counted(shown) }) : ''}${counted(all)}`;
+    if (this.rows.textContent !== text) this.rows.textContent = text;
     this.clear.hidden = !clears;
   }
 

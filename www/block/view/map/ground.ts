@@ -2,9 +2,10 @@
 import type { Colours } from '../../../shared/view/colours';
 import { toCanvas } from '../../../shared/view/transform';
 import type { Transform } from '../../../shared/view/transform';
-import type { ViewGround } from '../../state/ground';
+import { say } from '../../../shared/text/words';
+import type { System, ViewGround } from '../../state/ground';
 import type { BlockView } from '../../state/view';
-import { haloed, niceBelow } from './frame';
+import { haloed, lengthText, niceBelow } from './frame';
 
 /** Of GNSS positions, and of surveyed points: told apart with any colour vision (Okabe & Ito). */
 const GNSS = '#e69f00';
@@ -22,6 +23,14 @@ interface Offset {
   y: number;
   dx: number;
   dy: number;
+  /** Not drawn; NaN where the height is not known. */
+  dz: number;
+}
+
+/** The longest differences, in units of the block; 0 where there are none. */
+export interface Longest {
+  plan: number;
+  height: number;
 }
 
 const ALL = () => true;
@@ -29,8 +38,8 @@ const ALL = () => true;
 export interface Offsets {
   gnss: readonly Offset[];
   surveyed: readonly (Offset & { name: string; isUsed: boolean; isCheck: boolean; sigma: readonly [number, number] | null })[];
-  /** The longest of each kind, in units of the block. */
-  longest: { gnss: number; surveyed: number };
+  /** Of each kind. */
+  longest: { gnss: Longest; surveyed: Longest };
 }
 
 /** Those of images and surveyed points that are kept. */
@@ -41,12 +50,13 @@ export function offsetsOf(
   keepsSurveyed: (point: number) => boolean = ALL,
 ): Offsets {
   const gnss = view.images.flatMap(({ position }, i): Offset[] => {
-    const [x = NaN, y = NaN] = ground?.gnss.subarray(3 * i, 3 * i + 2) ?? [];
-    return position === null || Number.isNaN(x) || !keepsImage(i) ? [] : [{ x: position[0], y: position[1], dx: x - position[0], dy: y - position[1] }];
+    const [x = NaN, y = NaN, z = NaN] = ground?.gnss.subarray(3 * i, 3 * i + 3) ?? [];
+    if (position === null || Number.isNaN(x) || !keepsImage(i)) return [];
+    return [{ x: position[0], y: position[1], dx: x - position[0], dy: y - position[1], dz: z - position[2] }];
   });
   const surveyed = view.surveyed
     .filter((_, i) => keepsSurveyed(i))
-    .map(({ name, role, isUsed, position: [x, y], difference_m: [dx, dy], standard_errors_m: [sx, sy] }) => ({
+    .map(({ name, role, isUsed, position: [x, y], difference_m: [dx, dy, dz], standard_errors_m: [sx, sy] }) => ({
       name,
       isUsed,
       isCheck: role === 'check',
@@ -54,10 +64,20 @@ export function offsetsOf(
       y,
       dx,
       dy,
+      dz,
       sigma: sx === null || sy === null ? null : ([sx, sy] as const),
     }));
-  const longest = (offsets: readonly Offset[]) => offsets.reduce((most, { dx, dy }) => Math.max(most, Number.isNaN(dx) ? 0 : Math.hypot(dx, dy)), 0);
+  const most = (lengths: readonly number[]) => lengths.reduce((high, length) => (length > high ? length : high), 0);
+  const longest = (offsets: readonly Offset[]): Longest => ({
+    plan: most(offsets.map(({ dx, dy }) => Math.hypot(dx, dy))),
+    height: most(offsets.map(({ dz }) => Math.abs(dz))),
+  });
   return { gnss, surveyed, longest: { gnss: longest(gnss), surveyed: longest(surveyed) } };
+}
+
+/** The longest differences in words: "14 cm in plan, 1.2 m in height". */
+export function longestText({ plan, height }: Longest, system: System): string {
+  return say('in-plan-and-height', { plan: lengthText(plan, system), height: height > 0 ? lengthText(height, system) : null });
 }
 
 /** How much longer than they are differences are drawn: 1, 2, 5, 10 … times. */

@@ -22,8 +22,8 @@ import type { Drawn } from '../chart';
 import type { Looking } from '../looking';
 import { OrthophotoTiles } from '../orthophoto/tiles';
 import { colouredPoints } from './colouring';
-import { lengthText, paintGrid, paintNorth, paintScale, haloed } from './frame';
-import { factorOf, offsetsOf, paintFootprints, paintGnss, paintOnGround, paintSurveyed } from './ground';
+import { paintGrid, paintNorth, paintScale, haloed } from './frame';
+import { factorOf, longestText, offsetsOf, paintFootprints, paintGnss, paintOnGround, paintSurveyed } from './ground';
 import type { Offsets } from './ground';
 import { isMarked, MANY_LINES, NAME_BELOW, NAME_HEIGHT, paintImages, paintLines, paintMarkedLines, paintNames, soundness } from './images';
 import type { Shown } from './images';
@@ -35,9 +35,6 @@ import { Still } from './still';
 import { MOST_THUMBS, Thumbs } from './thumbs';
 import { asSentence } from '../../../shared/text/direction';
 import { say } from '../../../shared/text/words';
-
-/** What stands between two parts of the legend. */
-const BETWEEN = '; ';
 
 export class BlockMap extends Chart {
   private readonly thumbs = new Thumbs(() => this.layers.redraw());
@@ -232,7 +229,7 @@ export class BlockMap extends Chart {
     paintNames(context, colours, view, t, shown, below);
     if (!hasPlaces) return;
     const offsets = offsetsOf(view, ground, shown.keepsImage, this.keeps(view, 'surveyed'));
-    const factor = factorOf(Math.max(offsets.longest.gnss, offsets.longest.surveyed), t);
+    const factor = factorOf(Math.max(offsets.longest.gnss.plan, offsets.longest.surveyed.plan), t);
     if (look.offsets) paintGnss(context, offsets, t, factor);
     paintSurveyed(context, colours, offsets, t, factor, look.offsets, [width, height]);
     paintScale(context, colours, t, height, system, medianGsd(view, ground));
@@ -256,17 +253,18 @@ export class BlockMap extends Chart {
   /** What the lines beside images and surveyed points are, over the scale bar. */
   private paintOffsetLegend(context: CanvasRenderingContext2D, colours: Colours, { longest }: Offsets, factor: number, system: System): void {
     const parts = [
-      longest.gnss > 0 ? say('gnss-minus-adjusted-up-to', { gnss: lengthText(longest.gnss, system) }) : '',
-      longest.surveyed > 0 ? say('adjusted-minus-surveyed-up-to', { surveyed: lengthText(longest.surveyed, system) }) : '',
+      longest.gnss.plan > 0 ? say('gnss-minus-adjusted-up-to', { gnss: longestText(longest.gnss, system) }) : '',
+      longest.surveyed.plan > 0 ? say('adjusted-minus-surveyed-up-to', { surveyed: longestText(longest.surveyed, system) }) : '',
     ].filter((part) => part !== '');
     if (parts.length === 0) return;
     context.font = '11px system-ui, sans-serif';
     context.textAlign = 'start';
-    const text = say('drawn-longer', { parts: parts.join(BETWEEN), factor });
-    const whole = text.charAt(0).toUpperCase() + text.slice(1);
+    const [first = '', ...others] = [...parts, say('drawn-longer', { factor })];
+    const clauses = [first.charAt(0).toUpperCase() + first.slice(1), ...others];
+    const whole = clauses.join(say('between-clauses'));
     const { width, height } = this.layers;
     // On a phone it stands in lines: a figure that is cut reads as another one.
-    const lines = context.measureText(whole).width <= width - 24 ? [whole] : whole.split(BETWEEN);
+    const lines = context.measureText(whole).width <= width - 24 ? [whole] : clauses;
     for (const [i, line] of lines.reverse().entries()) haloed(context, colours, asSentence(line), 12, height - 38 - 14 * i);
   }
 

@@ -345,6 +345,10 @@ ground-sample-distance = وسيط مسافة العينة الأرضية { $gsd 
 gsd = GSD { $gsd }
 gnss-positions-differ-by-up = تختلف مواضع GNSS حتى { $gnss }
 surveyed-points-differ-by-up = تختلف نقاط الضبط الأرضي والتحقق، وعددها { COUNT($surveyed) }، حتى { $surveyed_2 }
+in-plan-and-height = { $plan } أفقيًا{ $height ->
+        [none] {""}
+       *[other] ، و{ $height } ارتفاعًا
+    }
 the-images-lie-within-by = تقع الصور ضمن { $length_text } في { $length_text_2 }
 length-in-units-of-the-block = { $length } من وحدات الكتلة
 matrix = المصفوفة
@@ -563,7 +567,7 @@ image-measurements-without-an-image = قياسات صورية بلا صورة
 not-among-the-images-read = ليست من الصور المقروءة
 remarks = ملاحظات
 warnings = تحذيرات
-tie-points-by-number-of = نقاط الربط بعدد الأشعة
+tie-points-by-number-of = النقاط بعدد الأشعة
 images-read = الصور المقروءة
 images-whose-features-are-detected = الصور التي كُشفت سماتها.
 connected-pairs = الأزواج المتصلة
@@ -583,8 +587,8 @@ images-that-are-connected-directly = صور متصلة مباشرة أو عبر 
 observations-2 = { COUNT($points) }، الأرصاد: { COUNT($rays) }
 points-seen-in-two-or = نقاط تُرى في صورتين أو أكثر. يُضبط منها اختيار حسن التوزيع.
 selected-tie-points = نقاط الربط المختارة
-observations-3 = { COUNT($taking) }، الأرصاد: { COUNT($rays) }
-the-tie-points-of-the = نقاط ربط الكتلة وأرصادها الصورية.
+the-tie-points-of-the = نقاط ربط الكتلة المضبوطة وأرصادها الصورية، دون نقاط الضبط الأرضي والتحقق.
+control-and-check-points-of-the = نقاط الضبط الأرضي والتحقق في الكتلة، وقياساتها الصورية دون المرفوضة.
 root-mean-square-length-of = الجذر التربيعي لمتوسط مربعات أطوال متبقيات جميع الأرصاد المقبولة بعد الضبط.
 standard-error-of-one-image = الخطأ المعياري لإحداثي صورة واحد، من الضبط.
 did-not-converge = لم تتقارب
@@ -687,7 +691,7 @@ row-and-column-in-the = الصف والعمود في المصفوفة.
 features = السمات
 points-detected-and-described = النقاط المكشوفة والموصوفة.
 obs = الأرصاد
-observations-of-selected-tie-points = أرصاد نقاط الربط المختارة دون المرفوضة.
+observations-of-selected-tie-points = أرصاد نقاط الربط المختارة ونقاط الضبط الأرضي والتحقق، دون المرفوضة.
 cov = التغطية
 coverage-how-many-of-the = التغطية: كم من مواضع فون غروبر التسعة فيه نقطة ربط مختارة.
 root-mean-square-length-of-the = الجذر التربيعي لمتوسط مربعات أطوال متبقيات أرصادها.
@@ -708,8 +712,11 @@ outcome = النتيجة
 why-the-images-are-connected = سبب اتصال الصورتين أو عدمه.
 object-coordinate-in-m-where = إحداثي الجسم، بالمتر حيث للكتلة مقياس.
 standard-error-of-from-the = الخطأ المعياري لـ{ $label }، من الضبط.
-number-of-the-point-press = رقم النقطة. اضغط صفًا لاختيارها في جميع العروض؛ ومع Shift أو Ctrl عدة نقاط.
-number-of-images-that-see = عدد الصور التي ترى النقطة.
+number-of-the-point-press = رقم نقطة الربط، أو اسم نقطة الضبط الأرضي أو التحقق. اضغط صفًا لاختيارها في جميع العروض؛ ومع Shift أو Ctrl عدة نقاط.
+observations-of-the-point = أرصاد النقطة دون المرفوضة.
+kind = النوع
+tie-point-2 = نقطة ربط
+tie-point-or-control = هل هي نقطة ربط أم نقطة ضبط أرضي أم نقطة تحقق.
 probability = الاحتمال
 probability-that-all-its-observations = احتمال أن تُظهر أرصادها كلها نقطة واحدة، من المطابقات وحدها.
 part = المشاركة
@@ -730,14 +737,13 @@ where-the-other-observations-have = لنقطة الضبط: { $axis } حيث تض
 standard-error-left-out = ‏σ Δ{ $axis }‎ دونها
 standard-error-of-where-the = الخطأ المعياري لـΔ{ $axis }‎ دون نقطة الضبط نفسها.
 the-image-that-shows-the = الصورة التي تُظهر النقطة. اضغط صفًا لاختيار نقطته، كما تُظهرها هذه الصورة، في جميع العروض.
-number-of-the-point = رقم النقطة.
+number-of-the-point = رقم نقطة الربط، أو اسم نقطة الضبط الأرضي أو التحقق.
 column-the-centre-of-the = العمود؛ مركز البكسل الأيسر العلوي عند 0.5.
 row = الصف.
 residual-in-x-observed-minus = المتبقي في x: المرصود ناقص المحسوب.
 residual-in-y-observed-minus = المتبقي في y: المرصود ناقص المحسوب.
 residual = المتبقي
 length-of-the-residual = طول المتبقي.
-observations-of-the-point-rejected = أرصاد النقطة، والمرفوضة منها أيضًا.
 redundancy-number-of-an-observation = عدد الفائض لـ { $axis }، من 0 إلى 1: نصيب خطأ الإحداثي الذي يظهر في متبقيه. قرب 0 لا يراقبه شيء.
 w-statistic-of-an-observation = الإحصاءة w لـ { $axis }: المتبقي مقسومًا على خطئه المعياري (Baarda). يرفض تقصّي البيانات أكبرها.
 mdb-of-an-observation = أصغر انحياز يمكن كشفه (MDB) لـ { $axis }: يكشف اختبار الإحداثي خطأ بهذا القدر باحتمال 0.80. ويكبر كلما صغر عدد الفائض.
@@ -813,6 +819,7 @@ residual-vx = المتبقي vx
 residual-vy = المتبقي vy
 w-of-normal-errors = ‏w لأخطاء موزعة توزيعًا طبيعيًا
 w-statistic = الإحصاءة w
+image-coordinate = الإحداثي
 minimal-detectable-bias = أصغر انحياز يمكن كشفه
 
 ## state
@@ -940,7 +947,10 @@ rays-3 = { $name }: الأشعة { COUNT($rays) }
 to = { COUNT($least) } إلى { COUNT($most) }
 rmse-px-5 = ؛ RMSE { FIXED($squares, digits: 2) } بكسل
 rejected-by-hand-3 = ؛ { COUNT($gone) } مرفوضة يدويًا
-tie-points-of-rays = نقاط الربط: { COUNT($chosen) }، أشعتها { $rays }{ $what }{ $what_2 }.
+tie-points-of-rays = { $surveyed ->
+        [0] نقاط الربط: { COUNT($chosen) }
+       *[other] النقاط: { COUNT($chosen) }، منها نقاط ضبط أرضي أو تحقق: { COUNT($surveyed) }
+    }، أشعتها { $rays }{ $what }{ $what_2 }.
 
 ## view
 
@@ -969,7 +979,8 @@ matched-in-of-images = طوبقت في { $count } من { $found } من الصو�
 images-4 = { $lost } من الصور
 no-match-is-confirmed-in = { $done } لم تتأكد مطابقة في { $where }: النسيج قليل، أو المظهر مختلف كثيرًا.
 px-4 = { $px } بكسل × { $factor }
-drawn-longer = { $parts }؛ مرسومة × { $factor }
+drawn-longer = مرسومة × { $factor }
+between-clauses = ؛{" "}
 chooses-the-next-image = يختار الصورة التالية
 chooses-the-previous-image = يختار الصورة السابقة
 chooses-the-next-pair-of = يختار الزوج التالي للصورة
@@ -1009,6 +1020,12 @@ block-done =
             [few] { COUNT($found) } نقاط ربط
            *[other] { COUNT($found) } نقطة ربط
         }
+    }{ $surveyed ->
+        [0] {""}
+        [one] ، ونقطة ضبط أو تحقق واحدة
+        [two] ، ونقطتا ضبط أو تحقق
+        [few] ، و{ COUNT($surveyed) } نقاط ضبط وتحقق
+       *[other] ، و{ COUNT($surveyed) } نقطة ضبط وتحقق
     }.{ $time ->
         [none] {""}
        *[other] {" "}{ $time }.

@@ -376,6 +376,10 @@ ground-sample-distance = Median ground sample distance { $gsd }
 gsd = GSD { $gsd }
 gnss-positions-differ-by-up = GNSS positions differ by up to { $gnss }
 surveyed-points-differ-by-up = { COUNT($surveyed) } ground control and check points differ by up to { $surveyed_2 }
+in-plan-and-height = { $plan } in plan{ $height ->
+        [none] {""}
+       *[other] , { $height } in height
+    }
 the-images-lie-within-by = The images lie within { $length_text } by { $length_text_2 }
 length-in-units-of-the-block = { $length } units
 
@@ -641,7 +645,7 @@ image-measurements-without-an-image = Image measurements without an image
 not-among-the-images-read = not among the images read
 remarks = Remarks
 warnings = Warnings
-tie-points-by-number-of = Tie points by number of rays
+tie-points-by-number-of = Points by number of rays
 images-read = Images read
 images-whose-features-are-detected = Images whose features are detected.
 connected-pairs = Connected pairs
@@ -661,8 +665,8 @@ images-that-are-connected-directly = Images that are connected directly or throu
 observations-2 = { COUNT($points) }, { COUNT($rays) } observations
 points-seen-in-two-or = Points seen in two or more images. A well distributed selection of them is adjusted.
 selected-tie-points = Selected tie points
-observations-3 = { COUNT($taking) }, { COUNT($rays) } observations
-the-tie-points-of-the = The tie points of the block and their image observations.
+the-tie-points-of-the = The tie points of the block that are adjusted, and their image observations, without ground control and check points.
+control-and-check-points-of-the = The ground control and check points of the block, and their image measurements without rejected ones.
 root-mean-square-length-of = Root mean square length of the residuals of all accepted observations after the adjustment.
 standard-error-of-one-image = Standard error of one image coordinate, from the adjustment.
 did-not-converge = did not converge
@@ -774,7 +778,7 @@ row-and-column-in-the = Row and column in the matrix.
 features = Features
 points-detected-and-described = Points detected and described.
 obs = Obs.
-observations-of-selected-tie-points = Observations of selected tie points, without rejected ones.
+observations-of-selected-tie-points = Observations of selected tie points, and of ground control and check points, without rejected ones.
 cov = Cov.
 coverage-how-many-of-the = Coverage: how many of the nine von Gruber positions hold a selected tie point.
 root-mean-square-length-of-the = Root mean square length of the residuals of its observations.
@@ -795,8 +799,11 @@ outcome = Outcome
 why-the-images-are-connected = Why the images are connected or are not.
 object-coordinate-in-m-where = Object coordinate, in m where the block has a scale.
 standard-error-of-from-the = Standard error of { $label }, from the adjustment.
-number-of-the-point-press = Number of the point. Press a row to choose it in all views; with Shift or Ctrl several.
-number-of-images-that-see = Number of images that see the point.
+number-of-the-point-press = Number of the tie point, or name of the ground control or check point. Press a row to choose it in all views; with Shift or Ctrl several.
+observations-of-the-point = Observations of the point, without rejected ones.
+kind = Kind
+tie-point-2 = tie point
+tie-point-or-control = Whether it is a tie point, a ground control point or a check point.
 probability = Probability
 probability-that-all-its-observations = Probability that all its observations show one point, from the matches alone.
 part = Part
@@ -817,14 +824,13 @@ where-the-other-observations-have = Of a control point: { $axis } where the othe
 standard-error-left-out = σ Δ{ $axis } left out
 standard-error-of-where-the = Standard error of Δ{ $axis } where the control point is left out.
 the-image-that-shows-the = The image that shows the point. Press a row to choose its point, as this image shows it, in all views.
-number-of-the-point = Number of the point.
+number-of-the-point = Number of the tie point, or name of the ground control or check point.
 column-the-centre-of-the = Column; the centre of the top-left pixel is at 0.5.
 row = Row.
 residual-in-x-observed-minus = Residual in x: observed minus computed.
 residual-in-y-observed-minus = Residual in y: observed minus computed.
 residual = Residual
 length-of-the-residual = Length of the residual.
-observations-of-the-point-rejected = Observations of the point, rejected ones too.
 redundancy-number-of-an-observation = Redundancy number of { $axis }, 0 to 1: the share of an error of the coordinate that shows in its residual. Near 0 nothing checks it.
 w-statistic-of-an-observation = w-statistic of { $axis }: residual by its standard error (Baarda). Data snooping rejects the largest.
 mdb-of-an-observation = Minimal detectable bias (MDB) of { $axis }: the test of the coordinate finds an error of this size with a probability of 0.80. It grows as the redundancy number falls.
@@ -910,6 +916,7 @@ residual-vx = Residual vx
 residual-vy = Residual vy
 w-of-normal-errors = w of normally distributed errors
 w-statistic = w-statistic
+image-coordinate = Coordinate
 minimal-detectable-bias = Minimal detectable bias
 
 by-hand-kept = { $edits } { $edits ->
@@ -1033,7 +1040,11 @@ rays-3 = { $name }: { COUNT($rays) } rays
 to = { COUNT($least) } to { COUNT($most) }
 rmse-px-5 = ; RMSE { FIXED($squares, digits: 2) } px
 rejected-by-hand-3 = ; { COUNT($gone) } rejected by hand
-tie-points-of-rays = { COUNT($chosen) } tie points of { $rays } rays{ $what }{ $what_2 }.
+tie-points-of-rays = { $surveyed ->
+        [0] { COUNT($chosen) } tie points
+        [one] { COUNT($chosen) } points, 1 of them a ground control or check point,
+       *[other] { COUNT($chosen) } points, { COUNT($surveyed) } of them ground control or check points,
+    } of { $rays } rays{ $what }{ $what_2 }.
 
 ## view/chart
 
@@ -1077,7 +1088,8 @@ px-4 = { $px } px × { $factor }
 
 ## view/map/map
 
-drawn-longer = { $parts }; drawn × { $factor }
+drawn-longer = drawn × { $factor }
+between-clauses = ;{" "}
 chooses-the-next-image = chooses the next image
 chooses-the-previous-image = chooses the previous image
 chooses-the-next-pair-of = chooses the next pair of the image
@@ -1110,6 +1122,10 @@ block-done =
             [one] 1 tie point
            *[other] { COUNT($found) } tie points
         } selected
+    }{ $surveyed ->
+        [0] {""}
+        [one] , 1 control or check point
+       *[other] , { COUNT($surveyed) } control and check points
     }.{ $time ->
         [none] {""}
        *[other] {" "}{ $time }.
