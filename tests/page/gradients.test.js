@@ -156,6 +156,7 @@ test('a focal length that only the matches tell orients the photos and is shown 
   // The cameras were calibrated: 2759.48 px at 3072 px width.
   assert.ok(Math.abs(focal - 0.5 * 2759.48) < 5 * error && error < 100, `${focal} ± ${error} px`);
   assert.match(await text(page, 'estimated-focal'), /estimated from the matches/);
+  assert.equal(await text(page, 'geometry-kind'), 'cameras with the focal length estimated from the matches');
   assert.ok((await number(page, 'degrees-of-freedom')) > 1000);
   await page.screenshot({ path: join(SHOTS, 'estimated-focal.png') });
   assert.deepEqual(complaints, []);

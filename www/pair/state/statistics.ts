@@ -9,6 +9,7 @@ import type { State } from './state';
 import { numbers } from '../../shared/state/columns';
 import { remember } from '../../shared/state/remember';
 import type { Column, Total } from '../../shared/state/rows';
+import { decimalsOfError } from '../../shared/text/format';
 import { say } from '../../shared/text/words';
 
 /** Everything that is known of each match, one column a figure. */
@@ -53,8 +54,14 @@ const FIT: Described = {
   total: 'rms',
 };
 
-/** In the order of a row of `RelativeOrientation.points`; lengths in mm are given in px where that is easier to read. */
-const ADJUSTED: readonly (Described & { inPixels?: boolean })[] = [
+/** A figure of the adjustment: a length that is given in px where that is easier to read, or one of the model, whose size is that of the base. */
+interface OfAdjustment extends Described {
+  inPixels?: boolean;
+  ofModel?: boolean;
+}
+
+/** In the order of a row of `RelativeOrientation.points`. */
+const ADJUSTED: readonly OfAdjustment[] = [
   {
     key: 'v',
     label: say('y-parallax'),
@@ -98,9 +105,9 @@ const ADJUSTED: readonly (Described & { inPixels?: boolean })[] = [
     total: 'mean',
   },
   { key: 'weight', label: say('weight'), unit: '', digits: 2, help: say('weight-in-the-adjustment-0'), total: 'mean' },
-  { key: 'model_x', label: 'X', unit: 'mm', digits: 2, help: say('model-coordinate-at-photo-scale') },
-  { key: 'model_y', label: 'Y', unit: 'mm', digits: 2, help: say('model-coordinate-at-photo-scale-across') },
-  { key: 'model_z', label: 'Z', unit: 'mm', digits: 2, help: say('model-coordinate-at-photo-scale-upwards') },
+  { key: 'model_x', label: 'X', unit: 'mm', digits: 2, ofModel: true, help: say('model-coordinate-at-photo-scale') },
+  { key: 'model_y', label: 'Y', unit: 'mm', digits: 2, ofModel: true, help: say('model-coordinate-at-photo-scale-across') },
+  { key: 'model_z', label: 'Z', unit: 'mm', digits: 2, ofModel: true, help: say('model-coordinate-at-photo-scale-upwards') },
 ];
 
 /** The larger semi-axis of the error ellipse of a fit, in px. */
@@ -130,10 +137,12 @@ export const statisticsOf = remember(
     const codes = new Uint8Array(count).fill(BY_HAND);
     codes.set(matchCodes(match, orientation));
     if (orientation !== null) {
-      const { points } = orientation;
-      ADJUSTED.forEach(({ inPixels = false, ...column }, k) => {
+      const { points, base_mm: base } = orientation;
+      ADJUSTED.forEach(({ inPixels = false, ofModel = false, digits, ...column }, k) => {
         const scale = inPixels ? (pixel ?? NaN) : 1;
-        columns.push(figure(column, (i) => (points[POINT_STRIDE * i + k] ?? NaN) / scale));
+        // Bases are a hundredth of a mm at the sensors of phones, and decimetres on film: model coordinates are given to a ten-thousandth.
+        const shown = ofModel ? decimalsOfError(base / 1000, digits) : digits;
+        columns.push(figure({ ...column, digits: shown }, (i) => (points[POINT_STRIDE * i + k] ?? NaN) / scale));
       });
     }
     return { count, columns, codes, lefts, rightness: score !== null && score.rightness.length === used ? score.rightness : null };

@@ -305,6 +305,7 @@ geometry-of-the-two-views = هندسة المشهدين
 not-computed-yet = لم تُحسب بعد.
 none = لا شيء: { $message }.
 model = النموذج
+cameras-of-estimated-focal-length = كاميرتان قُدّر بعدهما البؤري من المطابقات
 matches-that-agree = المطابقات المتفقة
 all-others-are-rejected-matches = كل ما سواها مرفوض. ومنها مطابقات لم يزل التباسها إلا بالهندسة.
 standard-error-of-a-coordinate = الخطأ المعياري للإحداثي

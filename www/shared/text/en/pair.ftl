@@ -339,6 +339,7 @@ geometry-of-the-two-views = Geometry of the two views
 not-computed-yet = Not computed yet.
 none = None: { $message }.
 model = Model
+cameras-of-estimated-focal-length = cameras with the focal length estimated from the matches
 matches-that-agree = Matches that agree
 all-others-are-rejected-matches = All others are rejected. Matches that only the geometry made unambiguous are among them.
 standard-error-of-a-coordinate = Standard error of a coordinate
