@@ -211,6 +211,10 @@ test('of a match that was placed by least squares the right picture is shown, an
   await rows.last().click();
   await part(page, 'tab-point').click();
   await says(page, 'point-patches', /Placed by least squares: no interest point here\./);
+  await says(page, 'point-verdict', /least squares matching placed it where the matches around it predict it, correlation 0\.\d{4}\.$/);
+  assert.match(await text(page, 'point-predicted'), /^The match is none of these/);
+  assert.equal(await text(page, 'match-measure'), '–');
+  assert.match(await text(page, 'match-correlation'), /^0\.\d{4}$/);
   const canvases = (/** @type {string} */ id) => page.locator(`[data-testid="${id}"] canvas`);
   assert.deepEqual([await canvases('point-patches').count(), await canvases('point-descriptors').count()], [1, 2]);
   const greys = await canvases('point-descriptors')

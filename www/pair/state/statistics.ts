@@ -1,8 +1,8 @@
 /** The statistics of each match as columns. */
 import type { MatchResult, MatchScore, RelativeOrientation } from '../../shared/crate';
 import { BY_HAND } from './codes';
-import { MANUAL_MEASURE } from './edited';
 import { interiorInUse } from './interior';
+import { isPredicted, measuresOf } from './predicted';
 import { pixelMm, POINT_STRIDE } from './residuals';
 import { matchCodes, shownPair } from './select';
 import type { State } from './state';
@@ -43,6 +43,14 @@ const MEASURE: Described = {
   unit: '',
   digits: 4,
   help: say('dissimilarity-of-the-points-by'),
+  total: 'mean',
+};
+const CORRELATION: Described = {
+  key: 'correlation',
+  label: say('correlation-of-a-match'),
+  unit: '',
+  digits: 4,
+  help: say('correlation-after-least-squares'),
   total: 'mean',
 };
 const FIT: Described = {
@@ -125,15 +133,21 @@ export const statisticsOf = remember(
     const count = used + off.length;
     const lefts = Uint32Array.from({ length: count }, (_, i) => (i < used ? (match.indices[2 * i] ?? 0) : (off[i - used] ?? 0)));
     const at = (i: number, k: number) => (i < used ? match.matches[5 * i + k] : left?.[3 * (lefts[i] ?? 0) + k]) ?? NaN;
+    const compared = measuresOf(match);
     const measure = (i: number) => {
-      const own = (i < used ? match.matches[5 * i + 4] : match.measures[2 * (lefts[i] ?? 0)]) ?? NaN;
-      return own === MANUAL_MEASURE || !Number.isFinite(own) ? NaN : own;
+      if (i < used) return compared[i] ?? NaN;
+      const [index = 0, own = NaN] = [lefts[i], match.measures[2 * (lefts[i] ?? 0)]];
+      return Number.isFinite(own) && !isPredicted(match, index) ? own : NaN;
     };
     const figure = ({ key, label, unit, digits, help, ...told }: Described, value: (i: number) => number) =>
       numbers(key, label, unit, digits, value, help, told);
     const columns = POSITION.map((column, k) => figure(column, (i) => at(i, k)));
     columns.push(figure(MEASURE, measure));
-    if (!match.fits.every(Number.isNaN)) columns.push(figure(FIT, (i) => worstError(match.fits, i)));
+    if (!match.fits.every(Number.isNaN)) {
+      // Of the other strategies the measure says it.
+      if (match.geometry !== null) columns.push(figure(CORRELATION, (i) => match.fits[5 * i] ?? NaN));
+      columns.push(figure(FIT, (i) => worstError(match.fits, i)));
+    }
     const codes = new Uint8Array(count).fill(BY_HAND);
     codes.set(matchCodes(match, orientation));
     if (orientation !== null) {
