@@ -156,6 +156,7 @@ test('a focal length that only the matches tell orients the photos and is shown 
   // The cameras were calibrated: 2759.48 px at 3072 px width.
   assert.ok(Math.abs(focal - 0.5 * 2759.48) < 5 * error && error < 100, `${focal} ± ${error} px`);
   assert.match(await text(page, 'estimated-focal'), /estimated from the matches/);
+  assert.equal(await text(page, 'geometry-kind'), 'cameras with the focal length estimated from the matches');
   assert.ok((await number(page, 'degrees-of-freedom')) > 1000);
   await page.screenshot({ path: join(SHOTS, 'estimated-focal.png') });
   assert.deepEqual(complaints, []);
@@ -210,6 +211,10 @@ test('of a match that was placed by least squares the right picture is shown, an
   await rows.last().click();
   await part(page, 'tab-point').click();
   await says(page, 'point-patches', /Placed by least squares: no interest point here\./);
+  await says(page, 'point-verdict', /least squares matching placed it where the matches around it predict it, correlation 0\.\d{4}\.$/);
+  assert.match(await text(page, 'point-predicted'), /^The match is none of these/);
+  assert.equal(await text(page, 'match-measure'), '–');
+  assert.match(await text(page, 'match-correlation'), /^0\.\d{4}$/);
   const canvases = (/** @type {string} */ id) => page.locator(`[data-testid="${id}"] canvas`);
   assert.deepEqual([await canvases('point-patches').count(), await canvases('point-descriptors').count()], [1, 2]);
   const greys = await canvases('point-descriptors')

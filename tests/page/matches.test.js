@@ -60,7 +60,7 @@ function read(file) {
 }
 
 /** The heads of a file of matches in every language. */
-const FIGURES = ['Match', 'x [px]', 'y [px]', 'measure', 's(x, y) [px]', 'y-parallax [px]', 'r', 'w', '∇ [px]'];
+const FIGURES = ['Match', 'x [px]', 'y [px]', 'measure', 'correlation', 's(x, y) [px]', 'y-parallax [px]', 'r', 'w', '∇ [px]'];
 
 /** The figure under a column.  @param {Page} page @param {string} key */
 const total = async (page, key) => {

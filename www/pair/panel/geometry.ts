@@ -50,9 +50,22 @@ function content(state: State): HTMLElement[] {
   ];
 }
 
-function figures(match: MatchResult, { model: { kind }, sigma_px: sigma, threshold_px: threshold, focal }: NonNullable<MatchResult['geometry']>): Fact[] {
+type Geometry = NonNullable<MatchResult['geometry']>;
+
+/** The kind of model in words: cameras whose focal length the matches gave are none that anybody calibrated. */
+export function modelText({ model: { kind }, focal }: Pick<Geometry, 'model' | 'focal'>): string {
+  return kind === 'calibrated' && focal !== null ? say('cameras-of-estimated-focal-length') : message('two_view_model', { kind }, 'label');
+}
+
+function figures(match: MatchResult, geometry: Geometry): Fact[] {
+  const {
+    model: { kind },
+    sigma_px: sigma,
+    threshold_px: threshold,
+    focal,
+  } = geometry;
   return [
-    { name: say('model'), testid: 'geometry-kind', value: message('two_view_model', { kind }, 'label'), help: message('two_view_model', { kind }, 'help') },
+    { name: say('model'), testid: 'geometry-kind', value: modelText(geometry), help: message('two_view_model', { kind }, 'help') },
     {
       name: say('matches-that-agree'),
       testid: 'geometry-matches',

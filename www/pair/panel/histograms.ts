@@ -1,7 +1,7 @@
 /** Histograms: the measure of the matches, what the adjustment left, the interest value. */
-import { MANUAL_MEASURE } from '../state/edited';
 import { interiorInUse } from '../state/interior';
 import { isStale } from '../state/keys';
+import { measuresOf } from '../state/predicted';
 import { parallaxResiduals } from '../state/residuals';
 import { columnOf, histogram } from '../state/histogram';
 import type { Histogram } from '../state/histogram';
@@ -19,10 +19,7 @@ const BINS = 40;
 const WIDTH = 320;
 const HEIGHT = 84;
 
-const measures = remember((matches: Float64Array) => {
-  const compared = columnOf(matches, 5, 4).filter((measure) => measure !== MANUAL_MEASURE);
-  return histogram(compared, BINS, { from: 0 });
-});
+const measures = remember((compared: Float64Array) => histogram(compared, BINS, { from: 0 }));
 const residuals = remember((values: Float64Array) => histogram(values, BINS, { symmetric: true }));
 const interestLeft = remember((points: Float64Array) => histogram(columnOf(points, 3, 2), BINS));
 const interestRight = remember((points: Float64Array) => histogram(columnOf(points, 3, 2), BINS));
@@ -57,7 +54,7 @@ async function update(body: HTMLElement, store: Store, round: () => number, own:
 const CHARTS: readonly ((state: State) => HTMLElement | null)[] = [
   (state) => {
     const { match } = shownPair(state);
-    return match === null || match.counts.matches === 0 ? null : chart(say('measure-of-the-matches'), '', measures(match.matches), 'histogram-measure');
+    return match === null || match.counts.matches === 0 ? null : chart(say('measure-of-the-matches'), '', measures(measuresOf(match)), 'histogram-measure');
   },
   (state) => {
     const { orientation } = shownPair(state);

@@ -1,6 +1,7 @@
 /** The selected point: the rule that decided, its window, what was compared, its candidates, its statistics. */
 import type { MatchResult } from '../../shared/crate';
 import { comparesGradients, comparesGreyValues, isCurrent } from '../state/keys';
+import { isPredicted } from '../state/predicted';
 import { matchOfLeft, shownPair } from '../state/select';
 import { leftIndexOf } from '../state/selected';
 import type { ShownPair } from '../state/select';
@@ -180,6 +181,7 @@ function candidateTable(state: State, match: MatchResult, { candidates }: Inspec
   const caption = say('of-left-point', { total, left_index: leftIndex + 1, what: total > MOST_ROWS ? say('the-best', { most_rows: MOST_ROWS }) : '' });
   return [
     h('h4', {}, caption),
+    ...(isPredicted(match, leftIndex) ? [h('p', { class: 'note', testid: 'point-predicted' }, say('the-match-is-none-of-these'))] : []),
     h(
       'div',
       { class: 'scroll candidates' },

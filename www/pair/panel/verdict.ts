@@ -5,6 +5,8 @@ import { CODES, MATCHED, UNDECIDED } from '../state/codes';
 import type { CodeName } from '../state/codes';
 import { comparesGradients, comparesGreyValues, isCurrent } from '../state/keys';
 import { textOfCode } from '../state/labels';
+import { offGeometryPx } from '../state/off-geometry';
+import { isPredicted } from '../state/predicted';
 import { leftCodes, rightCodes } from '../state/select';
 import { leftIndexOf } from '../state/selected';
 import type { ShownPair } from '../state/select';
@@ -28,7 +30,7 @@ export function verdictOf(state: State, shown: ShownPair, match: MatchResult): {
   const prefix = selection.side === 'right' && own === UNDECIDED ? `${say('candidate-of', { point: leftIndex + 1 })} ` : '';
   return {
     code,
-    text: `${prefix}${beside ?? `${textOfCode(code)} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, settings)}`}`.trimEnd(),
+    text: `${prefix}${beside ?? `${textOfCode(code)} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, state, settings)}`}`.trimEnd(),
   };
 }
 
@@ -38,7 +40,7 @@ function besideNeighbours(state: State): string | null {
   return parallax !== null && parallax.deviation_px > parallax.allowed_px ? say('parallax-beside', { ...parallax }) : null;
 }
 
-function numbers(code: CodeName, index: number, match: MatchResult, settings: Settings): string {
+function numbers(code: CodeName, index: number, match: MatchResult, state: State, settings: Settings): string {
   const { matching } = settings;
   const gradients = comparesGradients(settings);
   const byGrey = comparesGreyValues(settings);
@@ -51,6 +53,7 @@ function numbers(code: CodeName, index: number, match: MatchResult, settings: Se
     case 'gross_error':
       // Nothing was compared where it was measured by hand.
       if (!Number.isFinite(best)) return '';
+      if (isPredicted(match, index)) return say('predicted-match', compared);
       if (gradients) return say(agreeing(best, second, largest), compared);
       return byGrey ? say('correlation', compared) : say('good-measure', { ...compared, most: matching.max_measure });
     case 'threshold':
@@ -61,7 +64,9 @@ function numbers(code: CodeName, index: number, match: MatchResult, settings: Se
     case 'ambiguous':
       return say('ambiguous', compared);
     case 'parallax':
-      return gradients ? outOfGeometry(match, compared) : say('parallax', { tolerance: matching.parallax_tolerance });
+      return gradients
+        ? outOfGeometry(match, { ...compared, off_px: offGeometryPx(state, match) })
+        : say('parallax', { tolerance: matching.parallax_tolerance });
     case 'border':
     case 'left_right':
       if (byGrey && Number.isFinite(best)) return say('correlation', compared);

@@ -1,14 +1,15 @@
 /** The statistics of each match as columns. */
 import type { MatchResult, MatchScore, RelativeOrientation } from '../../shared/crate';
 import { BY_HAND } from './codes';
-import { MANUAL_MEASURE } from './edited';
 import { interiorInUse } from './interior';
+import { isPredicted, measuresOf } from './predicted';
 import { pixelMm, POINT_STRIDE } from './residuals';
 import { matchCodes, shownPair } from './select';
 import type { State } from './state';
 import { numbers } from '../../shared/state/columns';
 import { remember } from '../../shared/state/remember';
 import type { Column, Total } from '../../shared/state/rows';
+import { decimalsOfError } from '../../shared/text/format';
 import { say } from '../../shared/text/words';
 
 /** Everything that is known of each match, one column a figure. */
@@ -44,6 +45,14 @@ const MEASURE: Described = {
   help: say('dissimilarity-of-the-points-by'),
   total: 'mean',
 };
+const CORRELATION: Described = {
+  key: 'correlation',
+  label: say('correlation-of-a-match'),
+  unit: '',
+  digits: 4,
+  help: say('correlation-after-least-squares'),
+  total: 'mean',
+};
 const FIT: Described = {
   key: 'standard_error',
   label: 's(x, y)',
@@ -53,8 +62,14 @@ const FIT: Described = {
   total: 'rms',
 };
 
-/** In the order of a row of `RelativeOrientation.points`; lengths in mm are given in px where that is easier to read. */
-const ADJUSTED: readonly (Described & { inPixels?: boolean })[] = [
+/** A figure of the adjustment: a length that is given in px where that is easier to read, or one of the model, whose size is that of the base. */
+interface OfAdjustment extends Described {
+  inPixels?: boolean;
+  ofModel?: boolean;
+}
+
+/** In the order of a row of `RelativeOrientation.points`. */
+const ADJUSTED: readonly OfAdjustment[] = [
   {
     key: 'v',
     label: say('y-parallax'),
@@ -98,9 +113,9 @@ const ADJUSTED: readonly (Described & { inPixels?: boolean })[] = [
     total: 'mean',
   },
   { key: 'weight', label: say('weight'), unit: '', digits: 2, help: say('weight-in-the-adjustment-0'), total: 'mean' },
-  { key: 'model_x', label: 'X', unit: 'mm', digits: 2, help: say('model-coordinate-at-photo-scale') },
-  { key: 'model_y', label: 'Y', unit: 'mm', digits: 2, help: say('model-coordinate-at-photo-scale-across') },
-  { key: 'model_z', label: 'Z', unit: 'mm', digits: 2, help: say('model-coordinate-at-photo-scale-upwards') },
+  { key: 'model_x', label: 'X', unit: 'mm', digits: 2, ofModel: true, help: say('model-coordinate-at-photo-scale') },
+  { key: 'model_y', label: 'Y', unit: 'mm', digits: 2, ofModel: true, help: say('model-coordinate-at-photo-scale-across') },
+  { key: 'model_z', label: 'Z', unit: 'mm', digits: 2, ofModel: true, help: say('model-coordinate-at-photo-scale-upwards') },
 ];
 
 /** The larger semi-axis of the error ellipse of a fit, in px. */
@@ -118,22 +133,30 @@ export const statisticsOf = remember(
     const count = used + off.length;
     const lefts = Uint32Array.from({ length: count }, (_, i) => (i < used ? (match.indices[2 * i] ?? 0) : (off[i - used] ?? 0)));
     const at = (i: number, k: number) => (i < used ? match.matches[5 * i + k] : left?.[3 * (lefts[i] ?? 0) + k]) ?? NaN;
+    const compared = measuresOf(match);
     const measure = (i: number) => {
-      const own = (i < used ? match.matches[5 * i + 4] : match.measures[2 * (lefts[i] ?? 0)]) ?? NaN;
-      return own === MANUAL_MEASURE || !Number.isFinite(own) ? NaN : own;
+      if (i < used) return compared[i] ?? NaN;
+      const [index = 0, own = NaN] = [lefts[i], match.measures[2 * (lefts[i] ?? 0)]];
+      return Number.isFinite(own) && !isPredicted(match, index) ? own : NaN;
     };
     const figure = ({ key, label, unit, digits, help, ...told }: Described, value: (i: number) => number) =>
       numbers(key, label, unit, digits, value, help, told);
     const columns = POSITION.map((column, k) => figure(column, (i) => at(i, k)));
     columns.push(figure(MEASURE, measure));
-    if (!match.fits.every(Number.isNaN)) columns.push(figure(FIT, (i) => worstError(match.fits, i)));
+    if (!match.fits.every(Number.isNaN)) {
+      // Of the other strategies the measure says it.
+      if (match.geometry !== null) columns.push(figure(CORRELATION, (i) => match.fits[5 * i] ?? NaN));
+      columns.push(figure(FIT, (i) => worstError(match.fits, i)));
+    }
     const codes = new Uint8Array(count).fill(BY_HAND);
     codes.set(matchCodes(match, orientation));
     if (orientation !== null) {
-      const { points } = orientation;
-      ADJUSTED.forEach(({ inPixels = false, ...column }, k) => {
+      const { points, base_mm: base } = orientation;
+      ADJUSTED.forEach(({ inPixels = false, ofModel = false, digits, ...column }, k) => {
         const scale = inPixels ? (pixel ?? NaN) : 1;
-        columns.push(figure(column, (i) => (points[POINT_STRIDE * i + k] ?? NaN) / scale));
+        // Bases are a hundredth of a mm at the sensors of phones, and decimetres on film: model coordinates are given to a ten-thousandth.
+        const shown = ofModel ? decimalsOfError(base / 1000, digits) : digits;
+        columns.push(figure({ ...column, digits: shown }, (i) => (points[POINT_STRIDE * i + k] ?? NaN) / scale));
       });
     }
     return { count, columns, codes, lefts, rightness: score !== null && score.rightness.length === used ? score.rightness : null };

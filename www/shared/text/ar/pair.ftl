@@ -305,6 +305,7 @@ geometry-of-the-two-views = هندسة المشهدين
 not-computed-yet = لم تُحسب بعد.
 none = لا شيء: { $message }.
 model = النموذج
+cameras-of-estimated-focal-length = كاميرتان قُدّر بعدهما البؤري من المطابقات
 matches-that-agree = المطابقات المتفقة
 all-others-are-rejected-matches = كل ما سواها مرفوض. ومنها مطابقات لم يزل التباسها إلا بالهندسة.
 standard-error-of-a-coordinate = الخطأ المعياري للإحداثي
@@ -514,6 +515,7 @@ rank = الرتبة
 right-point = النقطة اليمنى
 the-smallest-measure-divided-by = أصغر مقياس مقسومًا على مقياسه: نسبة الثاني تقرر إن كان الأفضل ملتبسًا.
 ratio-2 = النسبة
+the-match-is-none-of-these = ليست المطابقة أيًّا من هذه: فهذه تُقارن بواصفاتها، أما المطابقة فوضعتها المطابقة بالمربعات الصغرى من جاراتها.
 the-best = ، أفضل { $most_rows }
 of-left-point = { $total ->
         [zero] لا مرشحين
@@ -653,7 +655,9 @@ y-parallax = اختلاف المنظر الصادي
 weight = الوزن
 column-of-the-left-point = عمود النقطة اليسرى؛ مركز البكسل الأيسر العلوي عند 0.5.
 row-of-the-left-point = صف النقطة اليسرى.
-dissimilarity-of-the-points-by = عدم تشابه النقطتين: بعزوم نافذتيهما، أو 1 ناقص معامل الارتباط، أو بعد واصفيهما. الصغير جيد.
+dissimilarity-of-the-points-by = عدم تشابه النقطتين: بعزوم نافذتيهما، أو 1 ناقص معامل الارتباط، أو بعد واصفيهما. الصغير جيد. وهو فارغ حيث قيست المطابقة يدويًا أو وُضعت من جاراتها.
+correlation-of-a-match = الارتباط
+correlation-after-least-squares = معامل ارتباط القيم الرمادية بعد المطابقة بالمربعات الصغرى. القريب من 1 جيد.
 standard-error-of-the-right = الخطأ المعياري للموضع الأيمن من المطابقة بالمربعات الصغرى، في أسوأ اتجاهيه.
 residual-y-parallax-the-distance = متبقي اختلاف المنظر الصادي: المسافة التي يمر بها الشعاعان أحدهما بالآخر، بمقياس الصورة.
 redundancy-number-the-share-of = عدد الفائض: نصيب خطأ هذه المطابقة الذي يظهر في متبقيها. قرب 0 لا تراقبها المطابقات الأخرى.
@@ -712,6 +716,7 @@ parallax = التفاوت المسموح: { $tolerance } بكسل، أو ثلا�
 imprecise = المسموح حتى { $most } بكسل.
 distance = البعد { FIXED($best, digits: 4) }، { ratio }.
 only-candidate = البعد { FIXED($best, digits: 4) }، وهو المرشح الوحيد المتفق مع هندسة المشهدين.
+predicted-match = لم يجد واصفها مطابقة: وضعتها المطابقة بالمربعات الصغرى حيث تتوقعها المطابقات من حولها، الارتباط { FIXED($correlation, digits: 4) }.
 clear-candidate = البعد { FIXED($best, digits: 4) }، { ratio }. يتفق مع هندسة المشهدين.
 agreeing-candidate = البعد { FIXED($best, digits: 4) }، { ratio }: أكثر من { $largest }، لكنه يتفق مع هندسة المشهدين التي لا تترك إلا قليلًا من المرشحين.
 no-geometry =
@@ -719,8 +724,16 @@ no-geometry =
         [none] .
        *[other] : { $no_geometry }.
     }
-off-line = البعد { FIXED($best, digits: 4) }، { ratio }؛ لكنه لا يوافق: المسموح حتى { FIXED($threshold_px, digits: 2) } بكسل من خطه القطبي.
-off-place = البعد { FIXED($best, digits: 4) }، { ratio }؛ لكنه لا يوافق: المسموح حتى { FIXED($threshold_px, digits: 2) } بكسل من موضعه المتوقع.
+off-line =
+    البعد { FIXED($best, digits: 4) }، { ratio }؛ لكنه لا يوافق: { $off_px ->
+        [none] المسموح حتى { FIXED($threshold_px, digits: 2) } بكسل من خطه القطبي.
+       *[other] يبعد { FIXED($off_px, digits: 2) } بكسل عن خطه القطبي؛ والمسموح حتى { FIXED($threshold_px, digits: 2) } بكسل.
+    }
+off-place =
+    البعد { FIXED($best, digits: 4) }، { ratio }؛ لكنه لا يوافق: { $off_px ->
+        [none] المسموح حتى { FIXED($threshold_px, digits: 2) } بكسل من موضعه المتوقع.
+       *[other] يبعد { FIXED($off_px, digits: 2) } بكسل عن موضعه المتوقع؛ والمسموح حتى { FIXED($threshold_px, digits: 2) } بكسل.
+    }
 matched = المطابقات: { COUNT($matches) } من { COUNT($points) } نقطة يسرى
 step = الخطوة { $step } من { $steps }: { $stages }
 worked = { $matched }، { FIXED($seconds, digits: 2) } ث من العمل.

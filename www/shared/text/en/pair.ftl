@@ -339,6 +339,7 @@ geometry-of-the-two-views = Geometry of the two views
 not-computed-yet = Not computed yet.
 none = None: { $message }.
 model = Model
+cameras-of-estimated-focal-length = cameras with the focal length estimated from the matches
 matches-that-agree = Matches that agree
 all-others-are-rejected-matches = All others are rejected. Matches that only the geometry made unambiguous are among them.
 standard-error-of-a-coordinate = Standard error of a coordinate
@@ -559,6 +560,7 @@ rank = Rank
 right-point = Right point
 the-smallest-measure-divided-by = The smallest measure divided by its own: that of the second decides whether the best is ambiguous.
 ratio-2 = Ratio
+the-match-is-none-of-these = The match is none of these: they are compared by descriptors, and least squares matching placed it from its neighbours.
 the-best = , the best { $most_rows }
 of-left-point = { COUNT($total) } { $total ->
         [one] candidate
@@ -715,7 +717,9 @@ y-parallax = y-parallax
 weight = weight
 column-of-the-left-point = Column of the left point; the top-left pixel’s centre is at 0.5.
 row-of-the-left-point = Row of the left point.
-dissimilarity-of-the-points-by = Dissimilarity of the points: by the moments of their windows, 1 minus the correlation coefficient, or the distance of their descriptors. Small is good.
+dissimilarity-of-the-points-by = Dissimilarity of the points: by the moments of their windows, 1 minus the correlation coefficient, or the distance of their descriptors. Small is good. Empty where a match was measured by hand, or placed from its neighbours.
+correlation-of-a-match = correlation
+correlation-after-least-squares = Correlation coefficient of the grey values after least squares matching. Near 1 is good.
 standard-error-of-the-right = Standard error of the right position from least squares matching, in its worse direction.
 residual-y-parallax-the-distance = Residual y-parallax: the distance at which the two rays pass each other, at photo scale.
 redundancy-number-the-share-of = Redundancy number: the share of an error of this match that shows in its residual. Near 0 the other matches do not check it.
@@ -774,6 +778,7 @@ parallax = Tolerance: { $tolerance } px, or three times the scatter of its neigh
 imprecise = Up to { $most } px is allowed.
 distance = Distance { FIXED($best, digits: 4) }, { ratio }.
 only-candidate = Distance { FIXED($best, digits: 4) }, the only candidate that agrees with the geometry of the two views.
+predicted-match = Its descriptor found no match: least squares matching placed it where the matches around it predict it, correlation { FIXED($correlation, digits: 4) }.
 clear-candidate = Distance { FIXED($best, digits: 4) }, { ratio }. It agrees with the geometry of the two views.
 agreeing-candidate = Distance { FIXED($best, digits: 4) }, { ratio }: more than { $largest }, but it agrees with the geometry of the two views, which leaves few candidates.
 no-geometry =
@@ -781,8 +786,16 @@ no-geometry =
         [none] .
        *[other] : { $no_geometry }.
     }
-off-line = Distance { FIXED($best, digits: 4) }, { ratio }; but it does not fit: up to { FIXED($threshold_px, digits: 2) } px from its epipolar line is allowed.
-off-place = Distance { FIXED($best, digits: 4) }, { ratio }; but it does not fit: up to { FIXED($threshold_px, digits: 2) } px from its predicted position is allowed.
+off-line =
+    Distance { FIXED($best, digits: 4) }, { ratio }; but it does not fit: { $off_px ->
+        [none] up to { FIXED($threshold_px, digits: 2) } px from its epipolar line is allowed.
+       *[other] it lies { FIXED($off_px, digits: 2) } px from its epipolar line; up to { FIXED($threshold_px, digits: 2) } px is allowed.
+    }
+off-place =
+    Distance { FIXED($best, digits: 4) }, { ratio }; but it does not fit: { $off_px ->
+        [none] up to { FIXED($threshold_px, digits: 2) } px from its predicted position is allowed.
+       *[other] it lies { FIXED($off_px, digits: 2) } px from its predicted position; up to { FIXED($threshold_px, digits: 2) } px is allowed.
+    }
 matched = { COUNT($matches) } matches of { COUNT($points) } left points
 step = Step { $step } of { $steps }: { $stages }
 worked = { $matched }, { FIXED($seconds, digits: 2) } s of work.
