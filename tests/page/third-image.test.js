@@ -50,6 +50,10 @@ test('a third photo that is dropped on a pair replaces none before that is asked
   await part(page, 'file-input').setInputFiles([left]);
   await done(page);
   assert.equal(await part(page, 'other-2').count(), 0);
+  // Nor is the one of the other pane, whatever it is called now.
+  await drop(page, { ...left, name: 'copy.png' });
+  await says(page, 'status', /copy\.png is the left image already\. Nothing was changed\.$/);
+  assert.match((await nameOf(page, 'right')) ?? '', /photo_00001/);
   await part(page, 'file-input').setInputFiles([upload('bad.png', Buffer.from('no image'), 'image/png')]);
   await says(page, 'status', /bad\.png cannot be opened: .* The open images are kept\.$/);
 

@@ -1,10 +1,13 @@
 /** Takes what is given beside the images of a pair: masks, the camera, fiducial marks. Each gives what is said of it. */
+import { fieldsOf, OWN_SETTINGS } from '../../shared/files/json';
 import type { Here } from '../../shared/files/leaving';
+import { sentence } from '../../shared/text/format';
 import { say } from '../../shared/text/words';
 import type { Engine } from '../engine/engine';
 import type { Side } from '../state/state';
 import type { Store } from '../state/store';
 import { freshId } from './ids';
+import { isOfBlock } from './of-block';
 import { info, problem } from './told';
 import type { Telling, Told } from './told';
 import { textIn } from '../../shared/files/text';
@@ -56,19 +59,27 @@ export class BesideFiles {
   }
 
   async fiducials(file: File, side: Side, here: Here): Promise<Told> {
+    const text = await textIn(file);
     try {
-      const fiducials = await this.engine.client('pair').call('parseFiducials', { text: await textIn(file) });
+      const fiducials = await this.engine.client('pair').call('parseFiducials', { text });
       here();
       this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
       return info(say('fiducial-of-the-image-from', { fiducials: fiducials.length, side, name: file.name }));
     } catch (error) {
+      here();
+      if (isOfBlock(text)) return problem(say('is-a-table-of-a-block', { name: file.name }));
       return this.telling.failed(say('holds-no-fiducial-marks', { name: file.name }), error, here);
     }
   }
 
   async camera(file: File, here: Here): Promise<Told> {
+    const text = await textIn(file);
+    here();
+    const { [OWN_SETTINGS]: subject } = fieldsOf(text);
+    if (subject === 'pair') return info(say('holds-settings', { name: file.name }));
+    if (subject !== undefined) return problem(`${file.name}: ${sentence(say('the-file-holds-settings-of', { subject: String(subject), of: 'pair' }))}`);
     try {
-      const camera = await this.engine.client('pair').call('parseCamera', { text: await textIn(file) });
+      const camera = await this.engine.client('pair').call('parseCamera', { text });
       here();
       this.store.dispatch({ type: 'camera', camera });
       return info(say('camera-data-from', { name: file.name }));

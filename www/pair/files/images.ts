@@ -10,7 +10,7 @@ import { readable } from '../../shared/text/names';
 import { say } from '../../shared/text/words';
 import type { Engine } from '../engine/engine';
 import { hasData } from '../state/kept';
-import { SIDES } from '../state/state';
+import { otherSide, SIDES } from '../state/state';
 import type { GivenImage, Side, State } from '../state/state';
 import type { Store } from '../state/store';
 import type { PairAside } from './aside';
@@ -112,12 +112,17 @@ export class ImageFiles {
     return this.failedImages(entries.flatMap((_, i) => refused(i)));
   }
 
-  /** Before a single photo takes the place of one of two: the three may be meant as a block. Null where it cannot be, or where the photo is the one that is there. */
+  /**
+   * Before a single photo takes the place of one of two: the three may be meant as a block, and the other one of the two would stand beside itself. Null where it
+   * cannot be, or where the photo is the one that is there.
+   */
   private async askOfThird(images: Partial<Record<Side, GivenImage>>): Promise<Told> {
     const { left, right } = this.store.state.images;
     const [[side, third], another] = Object.entries(images) as [[Side, GivenImage], unknown];
     const files = [left, right, third].flatMap((image) => (image === null ? [] : fileOf(image)));
     if (another !== undefined || files.length < 3 || (await this.isSame(this.store.state.images[side], third))) return null;
+    const beside = otherSide(side);
+    if (await this.isSame(this.store.state.images[beside], third)) return info(say('is-the-other-image-already', { name: third.name, side: beside }));
     const dismiss = () => this.store.dispatch({ type: 'notice', notice: null });
     const choices: Choice[] = [
       {

@@ -73,7 +73,6 @@ the-edit-by-hand-of = التعديل اليدوي لهذه الكتلة
 the-edits-by-hand-of = التعديلات اليدوية لهذه الكتلة، وعددها { $length }،
 in-the-block = { $sorted } في الكتلة.
 skipped-their-names-are-in = تُخطّيت { $twice }: أسماؤها في الكتلة من قبل.
-holds-settings = { $name } ملف إعدادات: حمّله من «الإعدادات». وُضع جانبًا.
 cameras-are-put-aside = { $problem } وُضع الملف جانبًا.
 holds-no-cameras = { $problem } لا كاميرات فيه، فوُضع جانبًا.
 is-no-table-of = نُحّي { $name } جانبًا، فليس نقاط ضبط أرضي ولا قياسات صورية ولا مواضع GNSS ولا علامات إطارية: { $why }

@@ -55,6 +55,7 @@ fiducial-of-the-image-from = { $fiducials ->
        *[right] اليمنى
     } من { $name }.
 holds-no-fiducial-marks = لا يحوي { $name } علامات إطارية
+is-a-table-of-a-block = لا يحوي { $name } علامات إطارية: يُقرأ نقاطَ ضبط أو قياسات صورية أو مواضع GNSS، وهي للكتلة. أعطه مع الصور تحت «الكتلة».
 camera-data-from = بيانات الكاميرا من { $name }.
 holds-no-camera-data = لا يحوي { $name } بيانات كاميرا
 has-mb-up-to-1 = حجم { $name } هو { $size } ميغابايت؛ يُقرأ حتى 1024 ميغابايت.
@@ -112,6 +113,10 @@ is-a-third-image = { $name } صورة ثالثة: أتُفتح الثلاث كت
         [left] اليسرى
        *[right] اليمنى
     }؟
+is-the-other-image-already = { $name } هي الصورة { $side ->
+        [left] اليسرى
+       *[right] اليمنى
+    } من قبل. لم يتغير شيء.
 open-three-as-a-block = افتح الثلاث كتلةً
 keep-the-pair = أبقِ الزوج
 replace-the-right-image = استبدل الصورة اليمنى …

@@ -163,6 +163,7 @@ allowed-or-empty = المسموح: { $instead }، أو فارغ. { $stays }
 give-both-numbers-or-empty = أعط العددين كليهما، أو أفرغهما. { $stays }
 two-numbers = عددان
 allowed = المسموح: { $instead }. { $stays }
+holds-settings = { $name } ملف إعدادات: حمّله من «الإعدادات». وُضع جانبًا.
 the-file-holds-no-settings = لا يحوي الملف إعدادات لهذه الصفحة
 the-file-holds-settings-of = يحوي الملف إعدادات { $subject }، لا إعدادات { $of ->
         [pair] زوج

@@ -93,7 +93,6 @@ the-edit-by-hand-of = The edit by hand of this block
 the-edits-by-hand-of = The { $length } edits by hand of this block
 in-the-block = { $sorted } in the block.
 skipped-their-names-are-in = { $twice } skipped: their names are in the block already.
-holds-settings = { $name } holds settings: load it under Settings. It is put aside.
 cameras-are-put-aside = { $problem } The file is put aside.
 holds-no-cameras = { $problem } It holds no cameras and is put aside.
 is-no-table-of = { $name } is put aside, neither control points nor image measurements, GNSS positions or fiducial marks: { $why }

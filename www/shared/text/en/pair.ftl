@@ -67,6 +67,7 @@ fiducial-of-the-image-from = { $fiducials } fiducial { $fiducials ->
        *[right] right
     } image from { $name }.
 holds-no-fiducial-marks = { $name } holds no fiducial marks
+is-a-table-of-a-block = { $name } holds no fiducial marks: it can be read as control points, image measurements or GNSS positions, which belong to a block. Give it with the photos under “Block”.
 camera-data-from = Camera data from { $name }.
 holds-no-camera-data = { $name } holds no camera data
 has-mb-up-to-1 = { $name } has { $size } MB; up to 1,024 MB are read.
@@ -138,6 +139,10 @@ is-a-third-image = { $name } is a third image: open all three as a block, or rep
         [left] left
        *[right] right
     } image with it?
+is-the-other-image-already = { $name } is the { $side ->
+        [left] left
+       *[right] right
+    } image already. Nothing was changed.
 open-three-as-a-block = Open all three as a block
 keep-the-pair = Keep the pair
 replace-the-right-image = Replace the right image …

@@ -192,6 +192,7 @@ allowed = Allowed: { $instead }. { $stays }
 
 ## panel/own
 
+holds-settings = { $name } holds settings: load it under Settings. It is put aside.
 the-file-holds-no-settings = the file holds no settings of this page
 the-file-holds-settings-of = the file holds settings of a { $subject }, not of a { $of ->
         [pair] pair
