@@ -3,10 +3,12 @@
 use super::adjusted::Adjusted;
 use super::coplanarity::{Ray, Unknowns};
 use super::normals::Normals;
-use super::other_focal::NARROW;
 use super::precision::derivatives;
 use crate::math::student_limit;
 use nalgebra::SVector;
+
+/// From this condition on, as of a narrow field of view, what matches share does not imitate a focal length: on no right pair.
+pub(super) const NARROW: f64 = 1e4;
 
 /// Below this (in units of the focal length) residuals are rounding.
 pub(super) const LEAST_SIGMA: f64 = 1e-11;

@@ -4,13 +4,12 @@
 
 use super::adjusted::Adjusted;
 use super::adjustment::{NEARLY_SETTLED, adjust};
-use super::coplanarity::Ray;
-use super::focal::{FocalMisfit, LEAST_SIGMA};
+use super::coplanarity::{Ray, RelativePose};
+use super::focal::{FocalMisfit, LEAST_SIGMA, NARROW};
 use super::result::Warning;
+use crate::camera::{angles_from_rotation, rotation_from_angles};
 use crate::math::student_limit;
-
-/// From this condition on, as of a narrow field of view, what matches share does not imitate a focal length: on no right pair.
-pub(super) const NARROW: f64 = 1e4;
+use nalgebra::Vector3;
 
 /// With half the focal length σ₀ was 0.99 to 1.05 times as large where the given one was 2.5 times too long, and 1.6 times and more where it was right, on
 /// photographs of narrow view; errors that matches share do less. Over level ground it is 1 for right ones as well, as for parts of the scans of metric
@@ -24,26 +23,33 @@ const PREFERRED: f64 = 0.8;
 const HALF: f64 = 0.5;
 const TWICE: f64 = 2.0;
 
+/// Of more observations a part is looked at: ratios of σ₀ far from 1 need no more.
+const MOST_RAYS: usize = 1000;
+
 /// σ₀ with other focal lengths by that with the given one, of the same observations.
 pub(super) struct OtherFocals {
     half: Option<f64>,
     twice: Option<f64>,
+    /// Degrees of freedom of all, beside one more unknown.
     freedom: usize,
 }
 
 impl OtherFocals {
     /// `weights`: those of the accepted observations in the normal equations.
     pub fn of(adjusted: &Adjusted, (rays, weights): (&[Ray], &[f64])) -> Self {
-        let given = adjusted.sigma * adjusted.variance_left.sqrt();
         let freedom = rays.len().saturating_sub(6);
+        let every = rays.len().div_ceil(MOST_RAYS).max(1);
+        let part: Vec<Ray> = rays.iter().copied().step_by(every).collect();
+        let weights: Vec<f64> = weights.iter().copied().step_by(every).collect();
+        let sigma =
+            |rays: &[Ray], start: RelativePose| adjust(rays, &weights, start, NEARLY_SETTLED, |_| Ok(())).ok().map(|found| found.sigma);
+        let given = sigma(&part, adjusted.pose).filter(|given| freedom > 0 && *given > LEAST_SIGMA);
         let ratio = |factor: f64| -> Option<f64> {
-            if freedom == 0 || !(given > LEAST_SIGMA) {
-                return None;
-            }
             // Coordinates in units of the other focal length, and so is their σ.
-            let scaled: Vec<Ray> = rays.iter().map(|ray| ray.map(|v| v / factor)).collect();
-            let other = adjust(&scaled, weights, adjusted.pose, NEARLY_SETTLED, |_| Ok(())).ok()?;
-            Some(factor * other.sigma / given)
+            let scaled: Vec<Ray> = part.iter().map(|ray| ray.map(|v| v / factor)).collect();
+            let starts = [adjusted.pose, scaled_pose(&adjusted.pose, factor)];
+            let least = starts.into_iter().filter_map(|start| sigma(&scaled, start)).min_by(f64::total_cmp)?;
+            Some(factor * least / given?)
         };
         Self { half: ratio(HALF), twice: ratio(TWICE), freedom }
     }
@@ -64,4 +70,12 @@ impl OtherFocals {
         let ratio = self.half.filter(|ratio| condition > NARROW && *ratio < EXCLUDED)?;
         Some(Warning::UncheckedFocal { ratio, least: EXCLUDED })
     }
+}
+
+/// About where views converge as much as their images say with so many times the focal length: tilts and depths go with it.
+fn scaled_pose(pose: &RelativePose, factor: f64) -> RelativePose {
+    let [omega, phi, kappa] = angles_from_rotation(&pose.rotation);
+    let [omega, phi] = [omega, phi].map(|tilt| libm::atan2(libm::sin(tilt), factor * libm::cos(tilt)));
+    let base = Vector3::new(pose.base.x, pose.base.y, factor * pose.base.z).normalize();
+    RelativePose { rotation: rotation_from_angles(omega, phi, kappa), base }
 }
