@@ -1155,6 +1155,15 @@ function unitOfLength(perM) {
 	if (is(1)) return "m";
 	return is(1 / FOOT_M$2) ? "ft" : perM < .001 ? "°" : "";
 }
+function headOf({ code }, axis) {
+	return code === "" ? axis : sayNamed("in-system", {
+		axis,
+		code
+	});
+}
+function unitOn({ unit }, axis) {
+	return unit[axis < 2 ? 0 : 1];
+}
 var converted = new WeakMap();
 function pointCoordinates(view) {
 	const { positions } = view.points;
@@ -2568,6 +2577,38 @@ function removable(files, choice, names) {
 	const found = files.filter(({ name }) => chosen.has(name));
 	return found.length === chosen.size && files.length - found.length >= LEAST_IMAGES ? found : [];
 }
+// www/block/state/point-kinds.ts
+var surveyedOf = remember((surveyed) => new Map(surveyed.map((known) => [known.point, known])));
+function surveyedAt({ surveyed }, point) {
+	return surveyedOf(surveyed).get(point);
+}
+function pointText$1(view, point) {
+	return surveyedAt(view, point)?.name ?? count(point + 1);
+}
+function pointColumn(view, key, point, help) {
+	const index = (row) => point(row) ?? NaN;
+	return {
+		...numbers(key, say("point"), "", 0, (row) => index(row) + 1, help),
+		text: (row) => pointText$1(view, index(row))
+	};
+}
+var countedPoints = remember(({ points, surveyed }) => {
+	const all = [...surveyedOf(surveyed).keys()].filter((point) => point >= 0);
+	const known = all.filter((point) => point < points.taking);
+	const observations = points.rays.subarray(0, points.taking).reduce((sum, rays) => sum + rays, 0);
+	const own = known.reduce((sum, point) => sum + (points.rays[point] ?? 0), 0);
+	return {
+		tie: {
+			points: points.taking - known.length,
+			observations: observations - own
+		},
+		surveyed: {
+			points: known.length,
+			observations: own
+		},
+		gone: points.count - points.taking - (all.length - known.length)
+	};
+});
 // www/block/state/words.ts
 function connectionOf(view, pair) {
 	return connectionsOf(view).get(keyOfPair(pair));
@@ -2668,8 +2709,8 @@ function describePairs(view, pairs) {
 		names: [...names, ...pairs.length > MOST_NAMES$2 ? ["…"] : []].join(", ")
 	});
 }
-function nameOfPoint({ surveyed }, point) {
-	return surveyed.find((known) => known.point === point)?.name ?? say("point-of-number", { number: point + 1 });
+function nameOfPoint(view, point) {
+	return surveyedAt(view, point)?.name ?? say("point-of-number", { number: point + 1 });
 }
 function describePoint(view, point) {
 	const { points } = view;
@@ -2719,7 +2760,8 @@ function givenUse({ role, images }) {
 		images
 	});
 }
-function describePoints({ points }, chosen) {
+function describePoints(view, chosen) {
+	const { points } = view;
 	let [least, most, squares, adjusted] = [
 		Infinity,
 		0,
@@ -2741,6 +2783,7 @@ function describePoints({ points }, chosen) {
 	});
 	return say("tie-points-of-rays", {
 		chosen: chosen.length,
+		surveyed: chosen.filter((point) => surveyedAt(view, point) !== void 0).length,
 		rays,
 		what: adjusted > 0 ? say("rmse-px-5", { squares: Math.sqrt(squares / adjusted) }) : "",
 		what_2: gone > 0 ? say("rejected-by-hand-3", { gone }) : ""
@@ -6907,14 +6950,7 @@ var NO_ROWS = {
 	count: 0,
 	columns: []
 };
-var unitOn = ({ unit }, axis) => unit[axis < 2 ? 0 : 1];
 var moreOn = ({ more }, axis) => axis < 2 ? more : 0;
-function headOf({ code }, axis) {
-	return code === "" ? axis : sayNamed("in-system", {
-		axis,
-		code
-	});
-}
 function helpOf({ name }, axis, own) {
 	return name === "" ? own : say("coordinate-in-system", {
 		axis,
@@ -6970,11 +7006,13 @@ function pointRows(view) {
 	const system = resultSystem(view);
 	const unit = unitOf(view);
 	const axis = (label, offset) => [numbers(label.toLowerCase(), headOf(system, label), unitOn(system, offset), 2 + moreOn(system, offset), (i) => pointCoordinates(view)[3 * i + offset] ?? NaN, helpOf(system, label, say("object-coordinate-in-m-where"))), numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
+	const kindOf = (point) => KINDS[surveyedAt(view, point)?.role ?? "tie"];
 	return {
 		count: points.count,
 		columns: [
-			numbers("point", say("point"), "", 0, (i) => i + 1, say("number-of-the-point-press")),
-			numbers("point-rays", say("rays-2"), "", 0, (i) => points.rays[i] ?? NaN, say("number-of-images-that-see"), { total: "mean" }),
+			pointColumn(view, "point", (i) => i, say("number-of-the-point-press")),
+			...view.surveyed.length === 0 ? [] : [words("point-kind", say("kind"), kindOf, say("tie-point-or-control"))],
+			numbers("point-rays", say("rays-2"), "", 0, (i) => points.rays[i] ?? NaN, say("observations-of-the-point"), { total: "mean" }),
 			numbers("point-rmse", "RMSE", "px", 2, (i) => points.rmsePx[i] ?? NaN, say("root-mean-square-length-of-the"), { total: "rms" }),
 			...axis("X", 0),
 			...axis("Y", 1),
@@ -6984,6 +7022,11 @@ function pointRows(view) {
 		]
 	};
 }
+var KINDS = {
+	tie: say("tie-point-2"),
+	control: say("control-point"),
+	check: say("check-point")
+};
 var NO_COORDINATES = new Map();
 var SAME_COORDINATE = .001;
 function surveyedRows(view, given, asGiven = NO_COORDINATES) {
@@ -7030,19 +7073,20 @@ var PARTS$1 = [
 	say("rejected-2"),
 	say("rejected-by-hand-2")
 ];
-var observationRows = remember(({ images }, of) => {
+var observationRows = remember((view, of) => {
+	const { images, points } = view;
 	const residual = (row) => Math.hypot(of.residuals[2 * row] ?? NaN, of.residuals[2 * row + 1] ?? NaN);
 	return {
 		count: of.points.length,
 		columns: [
 			words("observation-image", say("image-2"), (i) => images[of.images[i] ?? -1]?.name ?? "", say("the-image-that-shows-the")),
-			numbers("observation-point", say("point"), "", 0, (i) => (of.points[i] ?? NaN) + 1, say("number-of-the-point")),
+			pointColumn(view, "observation-point", (i) => of.points[i], say("number-of-the-point")),
 			numbers("observation-x", "x", "px", 2, (i) => of.places[2 * i] ?? NaN, say("column-the-centre-of-the")),
 			numbers("observation-y", "y", "px", 2, (i) => of.places[2 * i + 1] ?? NaN, say("row")),
 			numbers("observation-vx", "vx", "px", 2, (i) => of.residuals[2 * i] ?? NaN, say("residual-in-x-observed-minus"), { total: "rms" }),
 			numbers("observation-vy", "vy", "px", 2, (i) => of.residuals[2 * i + 1] ?? NaN, say("residual-in-y-observed-minus"), { total: "rms" }),
 			numbers("observation-v", say("residual"), "px", 2, residual, say("length-of-the-residual"), { total: "rms" }),
-			numbers("observation-rays", say("rays-2"), "", 0, (i) => raysOf(of)[of.points[i] ?? -1] ?? NaN, say("observations-of-the-point-rejected")),
+			numbers("observation-rays", say("rays-2"), "", 0, (i) => points.rays[of.points[i] ?? -1] ?? NaN, say("observations-of-the-point")),
 			...AXES.flatMap((axis, k) => [
 				numbers(`observation-r${axis}`, `r ${axis}`, "", 2, (i) => of.redundancy[2 * i + k] ?? NaN, say("redundancy-number-of-an-observation", { axis }), { total: "mean" }),
 				numbers(`observation-w${axis}`, `w ${axis}`, "", 2, (i) => of.w[2 * i + k] ?? NaN, say("w-statistic-of-an-observation", { axis }), { total: "rms" }),
@@ -7051,11 +7095,6 @@ var observationRows = remember(({ images }, of) => {
 			words("observation-part", say("part"), (i) => PARTS$1[of.parts[i] ?? 0] ?? "", say("whether-the-adjustment-accepted-the"))
 		]
 	};
-});
-var raysOf = remember((of) => {
-	const rays = new Uint16Array(of.points.reduce((most, point) => Math.max(most, point), -1) + 1);
-	for (const point of of.points) rays[point] = (rays[point] ?? 0) + 1;
-	return rays;
 });
 function observationsOf(of, choice) {
 	if (choice === null) return () => true;
@@ -7157,7 +7196,7 @@ function keptBy(subject, view, { filters }) {
 var TABLES = [
 	["images", say("images-2")],
 	["pairs", say("pairs")],
-	["points", say("tie-points")],
+	["points", say("points")],
 	["observations", say("observations")],
 	["surveyed", say("control-and-check-points")]
 ];
@@ -10435,15 +10474,17 @@ var MOST_NAMED = 30;
 var ALL$1 = () => true;
 function offsetsOf(view, ground, keepsImage = ALL$1, keepsSurveyed = ALL$1) {
 	const gnss = view.images.flatMap(({ position }, i) => {
-		const [x = NaN, y = NaN] = ground?.gnss.subarray(3 * i, 3 * i + 2) ?? [];
-		return position === null || Number.isNaN(x) || !keepsImage(i) ? [] : [{
+		const [x = NaN, y = NaN, z = NaN] = ground?.gnss.subarray(3 * i, 3 * i + 3) ?? [];
+		if (position === null || Number.isNaN(x) || !keepsImage(i)) return [];
+		return [{
 			x: position[0],
 			y: position[1],
 			dx: x - position[0],
-			dy: y - position[1]
+			dy: y - position[1],
+			dz: z - position[2]
 		}];
 	});
-	const surveyed = view.surveyed.filter((_, i) => keepsSurveyed(i)).map(({ name, role, isUsed, position: [x, y], difference_m: [dx, dy], standard_errors_m: [sx, sy] }) => ({
+	const surveyed = view.surveyed.filter((_, i) => keepsSurveyed(i)).map(({ name, role, isUsed, position: [x, y], difference_m: [dx, dy, dz], standard_errors_m: [sx, sy] }) => ({
 		name,
 		isUsed,
 		isCheck: role === "check",
@@ -10451,9 +10492,14 @@ function offsetsOf(view, ground, keepsImage = ALL$1, keepsSurveyed = ALL$1) {
 		y,
 		dx,
 		dy,
+		dz,
 		sigma: sx === null || sy === null ? null : [sx, sy]
 	}));
-	const longest = (offsets) => offsets.reduce((most, { dx, dy }) => Math.max(most, Number.isNaN(dx) ? 0 : Math.hypot(dx, dy)), 0);
+	const most = (lengths) => lengths.reduce((high, length) => length > high ? length : high, 0);
+	const longest = (offsets) => ({
+		plan: most(offsets.map(({ dx, dy }) => Math.hypot(dx, dy))),
+		height: most(offsets.map(({ dz }) => Math.abs(dz)))
+	});
 	return {
 		gnss,
 		surveyed,
@@ -10462,6 +10508,12 @@ function offsetsOf(view, ground, keepsImage = ALL$1, keepsSurveyed = ALL$1) {
 			surveyed: longest(surveyed)
 		}
 	};
+}
+function longestText({ plan, height }, system) {
+	return say("in-plan-and-height", {
+		plan: lengthText(plan, system),
+		height: height > 0 ? lengthText(height, system) : null
+	});
 }
 function factorOf(longest, t) {
 	return longest > 0 ? Math.max(1, niceBelow(LONGEST / (longest * t.scale))) : 1;
@@ -11148,7 +11200,6 @@ async function copyOf(file) {
 	}
 }
 // www/block/view/map/map.ts
-var BETWEEN = "; ";
 var BlockMap = class extends Chart {
 	facts;
 	thumbs = new Thumbs(() => this.layers.redraw());
@@ -11333,7 +11384,7 @@ var BlockMap = class extends Chart {
 		paintNames(context, colours, view, t, shown, below);
 		if (!hasPlaces) return;
 		const offsets = offsetsOf(view, ground, shown.keepsImage, this.keeps(view, "surveyed"));
-		const factor = factorOf(Math.max(offsets.longest.gnss, offsets.longest.surveyed), t);
+		const factor = factorOf(Math.max(offsets.longest.gnss.plan, offsets.longest.surveyed.plan), t);
 		if (look.offsets) paintGnss(context, offsets, t, factor);
 		paintSurveyed(context, colours, offsets, t, factor, look.offsets, [width, height]);
 		paintScale(context, colours, t, height, system, medianGsd(view, ground));
@@ -11360,17 +11411,15 @@ var BlockMap = class extends Chart {
 		paintMarkedLines(context, colours, view, t, shown);
 	}
 	paintOffsetLegend(context, colours, { longest }, factor, system) {
-		const parts = [longest.gnss > 0 ? say("gnss-minus-adjusted-up-to", { gnss: lengthText(longest.gnss, system) }) : "", longest.surveyed > 0 ? say("adjusted-minus-surveyed-up-to", { surveyed: lengthText(longest.surveyed, system) }) : ""].filter((part) => part !== "");
+		const parts = [longest.gnss.plan > 0 ? say("gnss-minus-adjusted-up-to", { gnss: longestText(longest.gnss, system) }) : "", longest.surveyed.plan > 0 ? say("adjusted-minus-surveyed-up-to", { surveyed: longestText(longest.surveyed, system) }) : ""].filter((part) => part !== "");
 		if (parts.length === 0) return;
 		context.font = "11px system-ui, sans-serif";
 		context.textAlign = "start";
-		const text = say("drawn-longer", {
-			parts: parts.join(BETWEEN),
-			factor
-		});
-		const whole = text.charAt(0).toUpperCase() + text.slice(1);
+		const [first = "", ...others] = [...parts, say("drawn-longer", { factor })];
+		const clauses = [first.charAt(0).toUpperCase() + first.slice(1), ...others];
+		const whole = clauses.join(say("between-clauses"));
 		const { width, height } = this.layers;
-		const lines = context.measureText(whole).width <= width - 24 ? [whole] : whole.split(BETWEEN);
+		const lines = context.measureText(whole).width <= width - 24 ? [whole] : clauses;
 		for (const [i, line] of lines.reverse().entries()) haloed(context, colours, asSentence(line), 12, height - 38 - 14 * i);
 	}
 	paintOutline(context, colours) {
@@ -11624,9 +11673,9 @@ function inWords(map, view) {
 	const coloured = colouredPoints(view.points, map.shows.colouring);
 	if (coloured !== null) {
 		const { title, from, to, digits, unit } = coloured.scale;
-		const gone = view.points.count - view.points.taking;
+		const { tie, gone } = countedPoints(view);
 		parts.push(say("tie-points-from-to", {
-			taking: view.points.taking,
+			taking: tie.points,
 			what: gone > 0 ? say("and-rejected-by-hand", { gone }) : "",
 			title,
 			from: fixed(from, digits),
@@ -11638,10 +11687,10 @@ function inWords(map, view) {
 	const gsd = medianGsd(view, ground);
 	if (gsd !== null) parts.push(say("ground-sample-distance", { gsd: lengthText(gsd, system) }));
 	const { longest } = offsetsOf(view, ground);
-	if (longest.gnss > 0) parts.push(say("gnss-positions-differ-by-up", { gnss: lengthText(longest.gnss, system) }));
-	if (longest.surveyed > 0) parts.push(say("surveyed-points-differ-by-up", {
+	if (longest.gnss.plan > 0) parts.push(say("gnss-positions-differ-by-up", { gnss: longestText(longest.gnss, system) }));
+	if (longest.surveyed.plan > 0) parts.push(say("surveyed-points-differ-by-up", {
 		surveyed: view.surveyed.length,
-		surveyed_2: lengthText(longest.surveyed, system)
+		surveyed_2: longestText(longest.surveyed, system)
 	}));
 	return `${parts.join(". ")}.`;
 }
@@ -13764,7 +13813,7 @@ function plotOf(name, view, facts) {
 		case "detectable": {
 			const of = facts.observations();
 			if (of === null) return null;
-			return name === "residuals" ? residuals(of) : name === "w" ? sortedTests(of) : detectable(view, of);
+			return name === "residuals" ? residuals(view, of) : name === "w" ? sortedTests(view, of) : detectable(view, of);
 		}
 		case "gnss": {
 			const ground = facts.ground();
@@ -13829,7 +13878,7 @@ function ofPoints(points, x, y, bars = false) {
 }
 var alongBlock = remember((view, plan) => {
 	const { points } = view;
-	const unit = unitOf(view);
+	const system = resultSystem(view);
 	const coordinate = (point, axis) => points.positions[3 * point + axis] ?? NaN;
 	const error = (point) => {
 		const [x = NaN, y = NaN, z = NaN] = points.errors.subarray(3 * point, 3 * point + 3);
@@ -13842,15 +13891,19 @@ var alongBlock = remember((view, plan) => {
 		return high - low;
 	});
 	const axis = (span[1] ?? 0) > (span[0] ?? 0) ? 1 : 0;
-	return ofPoints(rows, {
-		label: axis === 0 ? "X" : "Y",
-		unit,
-		values: Float64Array.from(rows, (point) => coordinate(point, axis))
-	}, {
-		label: plan ? say("standard-error-in-plan") : say("standard-error-in-height"),
-		unit,
-		values: Float64Array.from(rows, error)
-	});
+	const coordinates = pointCoordinates(view);
+	return {
+		...ofPoints(rows, {
+			label: headOf(system, axis === 0 ? "X" : "Y"),
+			unit: unitOn(system, axis),
+			values: Float64Array.from(rows, (point) => coordinates[3 * point + axis] ?? NaN)
+		}, {
+			label: plan ? say("standard-error-in-plan") : say("standard-error-in-height"),
+			unit: unitOf(view),
+			values: Float64Array.from(rows, error)
+		}),
+		about: [pointColumn(view, "point", (row) => rows[row], "")]
+	};
 });
 var surveyedPoints = remember(({ surveyed }, plan) => {
 	const used = surveyed.filter(({ isUsed }) => isUsed);
@@ -13866,12 +13919,13 @@ var surveyedPoints = remember(({ surveyed }, plan) => {
 		values: Float64Array.from(used, ({ difference_m: [x, y, z] }) => plan ? Math.hypot(x, y) : z)
 	}, true);
 });
-var byRays = remember(({ points }) => {
+var byRays = remember((view) => {
+	const { taking, rays: all } = view.points;
+	const tied = Uint32Array.from({ length: taking }, (_, point) => point).filter((point) => surveyedAt(view, point) === void 0);
 	const counts = new Map();
-	for (const rays of points.rays.subarray(0, points.taking)) counts.set(rays, (counts.get(rays) ?? 0) + 1);
+	for (const point of tied) counts.set(all[point] ?? 0, (counts.get(all[point] ?? 0) ?? 0) + 1);
 	const rays = [...counts.keys()].sort((a, b) => a - b);
-	const all = points.rays.subarray(0, points.taking);
-	const withRays = (wanted) => choiceOfPoints(Uint32Array.from(all.keys()).filter((point) => wanted.has(all[point])));
+	const withRays = (wanted) => choiceOfPoints(tied.filter((point) => wanted.has(all[point])));
 	return {
 		x: {
 			label: say("rays-2"),
@@ -13894,13 +13948,14 @@ var byRays = remember(({ points }) => {
 		together: (rows) => withRays(new Set(rows.map((row) => rays[row])))
 	};
 });
-function ofObservations(of, row, x, y, drawn) {
+function ofObservations(view, of, row, x, y, drawn) {
 	const pointAt = (value) => of.points[row(value)] ?? -1;
 	const imageAt = (value) => of.images[row(value)] ?? -1;
 	return {
 		x,
 		y,
 		bars: false,
+		about: [...x.names === void 0 ? [words("image", say("image-2"), (value) => view.images[imageAt(value)]?.name ?? "", "")] : [], pointColumn(view, "point", pointAt, "")],
 		...drawn,
 		choice: (value) => ({
 			kind: "observation",
@@ -13917,22 +13972,22 @@ function ofObservations(of, row, x, y, drawn) {
 function rowsWith(of, value) {
 	return Uint32Array.from(of.points.keys()).filter((row) => !Number.isNaN(value(row)) && of.parts[row] === 0);
 }
-var residuals = remember((of) => {
+var residuals = remember((view, of) => {
 	const rows = rowsWith(of, (row) => of.residuals[2 * row]);
 	const axis = (label, offset) => ({
 		label,
 		unit: "px",
 		values: Float64Array.from(rows, (row) => of.residuals[2 * row + offset] ?? NaN)
 	});
-	return ofObservations(of, (value) => rows[value] ?? -1, axis(say("residual-vx"), 0), axis(say("residual-vy"), 1), { square: true });
+	return ofObservations(view, of, (value) => rows[value] ?? -1, axis(say("residual-vx"), 0), axis(say("residual-vy"), 1), { square: true });
 });
-var sortedTests = remember((of) => {
+var sortedTests = remember((view, of) => {
 	const places = Uint32Array.from(of.w.keys()).filter((place) => !Number.isNaN(of.w[place]) && of.parts[place >> 1] === 0);
 	const values = Float64Array.from(places, (place) => of.w[place] ?? NaN);
 	const sorted = values.slice().sort();
 	const quantiles = normalQuantiles(sorted.length);
 	const expected = values.map((value) => quantiles[firstAt(sorted, value)] ?? NaN);
-	return ofObservations(of, (value) => (places[value] ?? -2) >> 1, {
+	const data = ofObservations(view, of, (value) => (places[value] ?? -2) >> 1, {
 		label: say("w-of-normal-errors"),
 		unit: "",
 		values: expected
@@ -13944,6 +13999,11 @@ var sortedTests = remember((of) => {
 		square: false,
 		equal: true
 	});
+	const axis = words("coordinate", say("image-coordinate"), (value) => (places[value] ?? 0) % 2 === 0 ? "x" : "y", "");
+	return {
+		...data,
+		about: [...data.about ?? [], axis]
+	};
 });
 function firstAt(sorted, value) {
 	let [low, high] = [0, sorted.length];
@@ -13955,7 +14015,8 @@ function firstAt(sorted, value) {
 	return low;
 }
 var BESIDE$1 = .8;
-var detectable = remember(({ images }, of) => {
+var detectable = remember((view, of) => {
+	const { images } = view;
 	const larger = (row) => {
 		const largest = Math.max(of.detectable[2 * row] ?? NaN, of.detectable[2 * row + 1] ?? NaN);
 		return Number.isNaN(largest) ? Infinity : largest;
@@ -13965,7 +14026,7 @@ var detectable = remember(({ images }, of) => {
 		const image = of.images[row] ?? -1;
 		return image + BESIDE$1 * ((of.places[2 * row] ?? NaN) / (images[image]?.width ?? NaN) - .5);
 	};
-	return ofObservations(of, (value) => rows[value] ?? -1, {
+	return ofObservations(view, of, (value) => rows[value] ?? -1, {
 		label: say("image-2"),
 		unit: "",
 		values: Float64Array.from(rows, across),
@@ -13978,6 +14039,9 @@ var detectable = remember(({ images }, of) => {
 	}, { square: false });
 });
 // www/block/state/plot-words.ts
+function withinSentence(label) {
+	return label.replace(/^\p{Lu}(?=\p{Ll})/u, (first) => first.toLowerCase());
+}
 function plotText({ x, y }) {
 	const sorted = y.values.filter(Number.isFinite).sort();
 	const unchecked = y.values.length - sorted.length;
@@ -13986,7 +14050,7 @@ function plotText({ x, y }) {
 	const at = (share) => fixed(sorted[Math.round(share * (sorted.length - 1))] ?? NaN, 3);
 	const text = say("values-over-median-from-to", {
 		sorted: sorted.length,
-		to_lower_case: x.label.toLowerCase(),
+		to_lower_case: withinSentence(x.label),
 		label: y.label,
 		at: at(.5),
 		at_2: at(0),
@@ -14426,7 +14490,11 @@ async function saveValues(plot, saved) {
 		...names === void 0 ? {} : { words: true }
 	});
 	const name = `block-${plot.shows}.csv`;
-	save(new Blob([csvOf([column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: "text/csv" }), name);
+	save(new Blob([csvOf([
+		...data.about ?? [],
+		column(data.x),
+		column(data.y)
+	], data.x.values.keys(), await intoEnglish())], { type: "text/csv" }), name);
 	saved(name);
 }
 // www/block/panel/placing-answer.ts
@@ -14698,7 +14766,7 @@ function checkFact({ points, rmse_m: rmse, ratio }) {
 function factsOf(view) {
 	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected");
 	const matches = connected.reduce((sum, connection) => sum + matchesOf(connection), 0);
-	const rays = view.images.reduce((sum, image) => sum + image.rays, 0);
+	const { tie, surveyed } = countedPoints(view);
 	return [
 		{
 			name: say("images-oriented-3"),
@@ -14743,12 +14811,21 @@ function factsOf(view) {
 		{
 			name: say("selected-tie-points"),
 			testid: "block-points-count",
-			value: say("observations-3", {
-				taking: view.points.taking,
-				rays
+			value: say("observations-2", {
+				points: tie.points,
+				rays: tie.observations
 			}),
 			help: say("the-tie-points-of-the")
 		},
+		...surveyed.points === 0 ? [] : [{
+			name: say("control-and-check-points"),
+			testid: "block-surveyed-count",
+			value: say("observations-2", {
+				points: surveyed.points,
+				rays: surveyed.observations
+			}),
+			help: say("control-and-check-points-of-the")
+		}],
 		...view.checks === null ? [] : [checkFact(view.checks)],
 		{
 			name: "RMSE",
@@ -15474,12 +15551,14 @@ function connectedPairs({ connections }) {
 	return connections.filter(({ outcome }) => outcome.kind === "connected").length;
 }
 function countsOf({ view, seconds }) {
+	const counted = countedPoints(view);
 	return say("block-done", {
 		images: view.images.length,
 		verdict: "",
 		skipped: view.leftOut.length,
 		pairs: connectedPairs(view),
-		points: view.points.taking,
+		points: counted.tie.points,
+		surveyed: counted.surveyed.points,
 		found: view.found?.points ?? null,
 		time: seconds === 0 ? null : duration(seconds),
 		warnings: view.warnings.length

@@ -2216,6 +2216,30 @@ function cameraOfPair({ camera }) {
 // www/shared/state/pane.ts
 var STEPS_OF_PX = 100;
 var roundedPx = (value) => Math.round(value * STEPS_OF_PX) / STEPS_OF_PX;
+// www/shared/state/columns.ts
+function numbers$2(key, label, unit, digits, value, help, told = {}) {
+	const known = (row) => value(row) ?? NaN;
+	return {
+		key,
+		label,
+		unit,
+		help,
+		value: known,
+		text: digits === 0 ? (row) => count(Number.isNaN(known(row)) ? null : known(row)) : (row) => fixed(known(row), digits),
+		...told
+	};
+}
+function words(key, label, value, help) {
+	return {
+		key,
+		label,
+		unit: "",
+		help,
+		value,
+		text: value,
+		words: true
+	};
+}
 // www/shared/panel/choice.ts
 var VECTOR_FACTORS = [
 	0,
@@ -3297,24 +3321,27 @@ function filler(rows) {
 }
 // www/shared/panel/table-bar.ts
 var TableBar = class {
-	words;
 	doing;
 	element;
-	caption = h("span", {
-		class: "note",
-		role: "status",
-		aria: { live: "polite" }
-	});
+	rows = h("span", {});
+	caption;
 	list = h("div", { class: "menu" });
 	clear;
 	hidden;
 	name;
 	constructor(testid, words, doing, tools) {
-		this.words = words;
 		this.doing = doing;
 		this.name = `tiepoint-hidden-${testid}`;
 		this.hidden = new Set((keptChoice(this.name) ?? "").split(" ").filter((key) => key !== ""));
-		this.caption.dataset.testid = `${testid}-caption`;
+		this.caption = h("span", {
+			class: "note",
+			role: "status",
+			testid: `${testid}-caption`,
+			aria: {
+				live: "polite",
+				atomic: "true"
+			}
+		}, h("span", { class: "rows-of" }, `${words}: `), this.rows);
 		this.clear = button(say("show-all"), `${testid}-clear`, doing.clear, say("takes-away-what-is-typed"));
 		const csv = button("CSV", `${testid}-csv`, () => void this.save(csv), say("saves-the-rows-and-columns"));
 		const copy = button(say("copy-2"), `${testid}-copy`, () => void this.copy(copy), say("copies-the-rows-and-columns"));
@@ -3332,8 +3359,8 @@ var TableBar = class {
 		this.element = h("div", { class: "table-bar" }, this.caption, ...tools, this.clear, menu, copy, csv);
 	}
 	say(shown, all, filtered, clears) {
-		const text = `${this.words}: ${filtered ? say("of-8", { shown: count(shown) }) : ""}${count(all)}`;
-		if (this.caption.textContent !== text) this.caption.textContent = text;
+		const text = `${filtered ? say("of-8", { shown: count(shown) }) : ""}${count(all)}`;
+		if (this.rows.textContent !== text) this.rows.textContent = text;
 		this.clear.hidden = !clears;
 	}
 	get left() {
@@ -3647,30 +3674,6 @@ var Table = class {
 };
 function decimals(text) {
 	return text.split(".")[1]?.length ?? 0;
-}
-// www/shared/state/columns.ts
-function numbers$2(key, label, unit, digits, value, help, told = {}) {
-	const known = (row) => value(row) ?? NaN;
-	return {
-		key,
-		label,
-		unit,
-		help,
-		value: known,
-		text: digits === 0 ? (row) => count(Number.isNaN(known(row)) ? null : known(row)) : (row) => fixed(known(row), digits),
-		...told
-	};
-}
-function words(key, label, value, help) {
-	return {
-		key,
-		label,
-		unit: "",
-		help,
-		value,
-		text: value,
-		words: true
-	};
 }
 // www/shared/panel/control.ts
 var SLIDER_STEPS = 200;
@@ -7891,6 +7894,24 @@ function shelfFrom(value) {
 // www/pair/files/ids.ts
 var nextId = 1;
 var freshId = () => nextId++;
+// www/pair/files/of-block.ts
+var READERS = [
+	(text) => parse_ground_control_points(text).length > 0,
+	(text) => areImages(parse_image_measurements(text)),
+	(text) => areImages(parse_image_positions(text).rows)
+];
+function areImages(rows) {
+	return rows.length > 0 && rows.every(({ image }) => IMAGE_FILE.test(image));
+}
+function isOfBlock(text) {
+	return READERS.some((reads) => {
+		try {
+			return reads(text);
+		} catch {
+			return false;
+		}
+	});
+}
 // www/pair/files/told.ts
 var problem = (text) => ({
 	kind: "problem",
@@ -8003,8 +8024,9 @@ var BesideFiles = class {
 		return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? "right" : "left";
 	}
 	async fiducials(file, side, here) {
+		const text = await textIn(file);
 		try {
-			const fiducials = await this.engine.client("pair").call("parseFiducials", { text: await textIn(file) });
+			const fiducials = await this.engine.client("pair").call("parseFiducials", { text });
 			here();
 			this.store.dispatch({
 				type: "photo",
@@ -8017,12 +8039,22 @@ var BesideFiles = class {
 				name: file.name
 			}));
 		} catch (error) {
+			here();
+			if (isOfBlock(text)) return problem(say("is-a-table-of-a-block", { name: file.name }));
 			return this.telling.failed(say("holds-no-fiducial-marks", { name: file.name }), error, here);
 		}
 	}
 	async camera(file, here) {
+		const text = await textIn(file);
+		here();
+		const { [OWN_SETTINGS]: subject } = fieldsOf(text);
+		if (subject === "pair") return info(say("holds-settings", { name: file.name }));
+		if (subject !== void 0) return problem(`${file.name}: ${sentence(say("the-file-holds-settings-of", {
+			subject: String(subject),
+			of: "pair"
+		}))}`);
 		try {
-			const camera = await this.engine.client("pair").call("parseCamera", { text: await textIn(file) });
+			const camera = await this.engine.client("pair").call("parseCamera", { text });
 			here();
 			this.store.dispatch({
 				type: "camera",
@@ -8812,6 +8844,11 @@ var ImageFiles = class {
 			third
 		].flatMap((image) => image === null ? [] : fileOf$1(image));
 		if (another !== void 0 || files.length < 3 || await this.isSame(this.store.state.images[side], third)) return null;
+		const beside = otherSide(side);
+		if (await this.isSame(this.store.state.images[beside], third)) return info(say("is-the-other-image-already", {
+			name: third.name,
+			side: beside
+		}));
 		const dismiss = () => this.store.dispatch({
 			type: "notice",
 			notice: null
@@ -9209,6 +9246,36 @@ function textOfCode(code, part = "text") {
 	if (name === "rejected_by_hand" || name === "manual") return EDITED[name][part];
 	return message("verdict", name, part === "label" ? part : null);
 }
+// www/pair/state/off-geometry.ts
+function distanceFrom(positions, [x, y]) {
+	let nearest = Infinity;
+	for (let k = 0; k < positions.length; k += 2) {
+		const [u = NaN, v = NaN, p = u, q = v] = positions.subarray(k, k + 4);
+		const [along, across] = [p - u, q - v];
+		const share = ((x - u) * along + (y - v) * across) / (along ** 2 + across ** 2);
+		const at = Number.isNaN(share) ? 0 : Math.min(1, Math.max(0, share));
+		nearest = Math.min(nearest, Math.hypot(u + at * along - x, v + at * across - y));
+	}
+	return Number.isFinite(nearest) ? nearest : null;
+}
+function offGeometryPx(state, { geometry, best, rules, places }) {
+	const { selection } = state;
+	const line = isCurrent(state, "inspection") ? state.results.inspection?.value.line : null;
+	if (selection === null || geometry === null || line == null) return null;
+	const left = leftIndexOf(state, best, rules);
+	const [x, y] = state.results.pointsLeft?.value.points.subarray(3 * left, 3 * left + 2) ?? [];
+	const at = selection.side === "left" ? placeOf(places, left) : x === void 0 || y === void 0 ? null : [x, y];
+	const distance = at === null ? null : distanceFrom(line.positions, at);
+	return distance !== null && distance > geometry.threshold_px ? distance : null;
+}
+// www/pair/state/predicted.ts
+function isPredicted$1({ best, measures, geometry }, left) {
+	return geometry !== null && best[left] === -1 && Number.isFinite(measures[2 * left]);
+}
+var measuresOf = remember((match) => Float64Array.from({ length: match.matches.length / 5 }, (_, row) => {
+	const measure = match.matches[5 * row + 4] ?? NaN;
+	return measure === -1 || isPredicted$1(match, match.indices[2 * row] ?? -1) ? NaN : measure;
+}));
 // www/pair/panel/verdict.ts
 function verdictOf(state, shown, match) {
 	const { selection, settings } = state;
@@ -9226,14 +9293,14 @@ function verdictOf(state, shown, match) {
 	const beside = code === CODES.indexOf("parallax") ? besideNeighbours(state) : null;
 	return {
 		code,
-		text: `${selection.side === "right" && own === UNDECIDED ? `${say("candidate-of", { point: leftIndex + 1 })} ` : ""}${beside ?? `${textOfCode(code)} ${numbers(CODES[code] ?? "undecided", leftIndex, match, settings)}`}`.trimEnd()
+		text: `${selection.side === "right" && own === UNDECIDED ? `${say("candidate-of", { point: leftIndex + 1 })} ` : ""}${beside ?? `${textOfCode(code)} ${numbers(CODES[code] ?? "undecided", leftIndex, match, state, settings)}`}`.trimEnd()
 	};
 }
 function besideNeighbours(state) {
 	const { parallax = null } = isCurrent(state, "inspection") ? state.results.inspection?.value ?? {} : {};
 	return parallax !== null && parallax.deviation_px > parallax.allowed_px ? say("parallax-beside", { ...parallax }) : null;
 }
-function numbers(code, index, match, settings) {
+function numbers(code, index, match, state, settings) {
 	const { matching } = settings;
 	const gradients = comparesGradients(settings);
 	const byGrey = comparesGreyValues(settings);
@@ -9251,6 +9318,7 @@ function numbers(code, index, match, settings) {
 		case "matched":
 		case "gross_error":
 			if (!Number.isFinite(best)) return "";
+			if (isPredicted$1(match, index)) return say("predicted-match", compared);
 			if (gradients) return say(agreeing(best, second, largest), compared);
 			return byGrey ? say("correlation", compared) : say("good-measure", {
 				...compared,
@@ -9266,7 +9334,10 @@ function numbers(code, index, match, settings) {
 				most: matching.max_measure
 			});
 		case "ambiguous": return say("ambiguous", compared);
-		case "parallax": return gradients ? outOfGeometry(match, compared) : say("parallax", { tolerance: matching.parallax_tolerance });
+		case "parallax": return gradients ? outOfGeometry(match, {
+			...compared,
+			off_px: offGeometryPx(state, match)
+		}) : say("parallax", { tolerance: matching.parallax_tolerance });
 		case "border":
 		case "left_right":
 			if (byGrey && Number.isFinite(best)) return say("correlation", compared);
@@ -11001,12 +11072,16 @@ function content$2(state) {
 		testid: `degenerate-${degenerate}`
 	}, message("degeneracy", degenerate))], facts(figures(match, match.geometry))];
 }
-function figures(match, { model: { kind }, sigma_px: sigma, threshold_px: threshold, focal }) {
+function modelText({ model: { kind }, focal }) {
+	return kind === "calibrated" && focal !== null ? say("cameras-of-estimated-focal-length") : message("two_view_model", { kind }, "label");
+}
+function figures(match, geometry) {
+	const { model: { kind }, sigma_px: sigma, threshold_px: threshold, focal } = geometry;
 	return [
 		{
 			name: say("model"),
 			testid: "geometry-kind",
-			value: message("two_view_model", { kind }, "label"),
+			value: modelText(geometry),
 			help: message("two_view_model", { kind }, "help")
 		},
 		{
@@ -11341,9 +11416,7 @@ function histogram(values, bins, { symmetric = false, from } = {}) {
 var BINS = 40;
 var WIDTH = 320;
 var HEIGHT = 84;
-var measures = remember((matches) => {
-	return histogram(columnOf(matches, 5, 4).filter((measure) => measure !== -1), BINS, { from: 0 });
-});
+var measures = remember((compared) => histogram(compared, BINS, { from: 0 }));
 var residuals = remember((values) => histogram(values, BINS, { symmetric: true }));
 var interestLeft = remember((points) => histogram(columnOf(points, 3, 2), BINS));
 var interestRight = remember((points) => histogram(columnOf(points, 3, 2), BINS));
@@ -11381,7 +11454,7 @@ async function update(body, store, round, own) {
 var CHARTS = [
 	(state) => {
 		const { match } = shownPair(state);
-		return match === null || match.counts.matches === 0 ? null : chart(say("measure-of-the-matches"), "", measures(match.matches), "histogram-measure");
+		return match === null || match.counts.matches === 0 ? null : chart(say("measure-of-the-matches"), "", measures(measuresOf(match)), "histogram-measure");
 	},
 	(state) => {
 		const { orientation } = shownPair(state);
@@ -11953,6 +12026,14 @@ var MEASURE = {
 	help: say("dissimilarity-of-the-points-by"),
 	total: "mean"
 };
+var CORRELATION = {
+	key: "correlation",
+	label: say("correlation-of-a-match"),
+	unit: "",
+	digits: 4,
+	help: say("correlation-after-least-squares"),
+	total: "mean"
+};
 var FIT = {
 	key: "standard_error",
 	label: "s(x, y)",
@@ -12017,6 +12098,7 @@ var ADJUSTED = [
 		label: "X",
 		unit: "mm",
 		digits: 2,
+		ofModel: true,
 		help: say("model-coordinate-at-photo-scale")
 	},
 	{
@@ -12024,6 +12106,7 @@ var ADJUSTED = [
 		label: "Y",
 		unit: "mm",
 		digits: 2,
+		ofModel: true,
 		help: say("model-coordinate-at-photo-scale-across")
 	},
 	{
@@ -12031,6 +12114,7 @@ var ADJUSTED = [
 		label: "Z",
 		unit: "mm",
 		digits: 2,
+		ofModel: true,
 		help: say("model-coordinate-at-photo-scale-upwards")
 	}
 ];
@@ -12045,21 +12129,30 @@ var statisticsOf = remember((left, match, orientation, score, pixel) => {
 	const count = used + off.length;
 	const lefts = Uint32Array.from({ length: count }, (_, i) => i < used ? match.indices[2 * i] ?? 0 : off[i - used] ?? 0);
 	const at = (i, k) => (i < used ? match.matches[5 * i + k] : left?.[3 * (lefts[i] ?? 0) + k]) ?? NaN;
+	const compared = measuresOf(match);
 	const measure = (i) => {
-		const own = (i < used ? match.matches[5 * i + 4] : match.measures[2 * (lefts[i] ?? 0)]) ?? NaN;
-		return own === -1 || !Number.isFinite(own) ? NaN : own;
+		if (i < used) return compared[i] ?? NaN;
+		const [index = 0, own = NaN] = [lefts[i], match.measures[2 * (lefts[i] ?? 0)]];
+		return Number.isFinite(own) && !isPredicted$1(match, index) ? own : NaN;
 	};
 	const figure = ({ key, label, unit, digits, help, ...told }, value) => numbers$2(key, label, unit, digits, value, help, told);
 	const columns = POSITION.map((column, k) => figure(column, (i) => at(i, k)));
 	columns.push(figure(MEASURE, measure));
-	if (!match.fits.every(Number.isNaN)) columns.push(figure(FIT, (i) => worstError(match.fits, i)));
+	if (!match.fits.every(Number.isNaN)) {
+		if (match.geometry !== null) columns.push(figure(CORRELATION, (i) => match.fits[5 * i] ?? NaN));
+		columns.push(figure(FIT, (i) => worstError(match.fits, i)));
+	}
 	const codes = new Uint8Array(count).fill(BY_HAND);
 	codes.set(matchCodes(match, orientation));
 	if (orientation !== null) {
-		const { points } = orientation;
-		ADJUSTED.forEach(({ inPixels = false, ...column }, k) => {
+		const { points, base_mm: base } = orientation;
+		ADJUSTED.forEach(({ inPixels = false, ofModel = false, digits, ...column }, k) => {
 			const scale = inPixels ? pixel ?? NaN : 1;
-			columns.push(figure(column, (i) => (points[9 * i + k] ?? NaN) / scale));
+			const shown = ofModel ? decimalsOfError(base / 1e3, digits) : digits;
+			columns.push(figure({
+				...column,
+				digits: shown
+			}, (i) => (points[9 * i + k] ?? NaN) / scale));
 		});
 	}
 	return {
@@ -12376,10 +12469,17 @@ function candidateTable(state, match, { candidates }, select) {
 		left_index: leftIndex + 1,
 		what: total > MOST_ROWS ? say("the-best", { most_rows: MOST_ROWS }) : ""
 	});
-	return [h("h4", {}, caption), h("div", { class: "scroll candidates" }, h("table", {
-		testid: "point-candidates",
-		aria: { label: caption }
-	}, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows)))];
+	return [
+		h("h4", {}, caption),
+		...isPredicted$1(match, leftIndex) ? [h("p", {
+			class: "note",
+			testid: "point-predicted"
+		}, say("the-match-is-none-of-these"))] : [],
+		h("div", { class: "scroll candidates" }, h("table", {
+			testid: "point-candidates",
+			aria: { label: caption }
+		}, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows)))
+	];
 }
 // www/pair/panel/simulate.ts
 var PREVIEW_SIDE = 240;

@@ -3645,12 +3645,18 @@
 		const write = (path, text) => files.set(path, text);
 		if (kind === "project") write(`${name}-project.tiepoint`, block.project());
 		else if (kind === "everything") await inSteps(block.files(export_formats(), null, LANGUAGE), write, signal);
+		else if (kind === "csv") await inSteps(block.files([], null, LANGUAGE), tablesTo(write), signal, () => files.size > 0);
 		else block.export(kind, write);
 		return packed(files, `${name}-${kind}`, signal);
 	}
-	async function inSteps(writing, write, signal) {
+	function tablesTo(write) {
+		return (path, text) => {
+			if (path.endsWith(".csv")) write(path, text);
+		};
+	}
+	async function inSteps(writing, write, signal, isDone = () => false) {
 		try {
-			while (writing.step(write) === null) await pause(signal);
+			while (writing.step(write) === null && !isDone()) await pause(signal);
 		} finally {
 			writing.free();
 		}

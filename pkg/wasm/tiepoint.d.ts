@@ -5276,7 +5276,7 @@ export class FinishedBlock {
      */
     epipolar_line(from: number, x_px: number, y_px: number, to: number): Float64Array;
     /**
-     * Writes it in one format.
+     * Writes it in one format; tables are in the coordinate reference system of the results.
      */
     export(format: ExportFormat, emit: Emit): void;
     /**
@@ -6332,7 +6332,7 @@ export interface InitOutput {
     readonly two_view: (a: any, b: any) => [number, number, number];
     readonly version: () => [number, number];
     readonly write_pair_project: (a: any) => [number, number, number, number];
-    readonly wasm_bindgen__convert__closures_____invoke__h39224c4f5e1cec19: (a: number, b: number, c: any, d: any) => [number, number, number];
+    readonly wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9: (a: number, b: number, c: any, d: any) => [number, number, number];
     readonly __wbindgen_malloc: (a: number, b: number) => number;
     readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
     readonly __wbindgen_free: (a: number, b: number, c: number) => void;

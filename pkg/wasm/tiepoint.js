@@ -401,7 +401,7 @@ export class FinishedBlock {
         return v1;
     }
     /**
-     * Writes it in one format.
+     * Writes it in one format; tables are in the coordinate reference system of the results.
      * @param {ExportFormat} format
      * @param {Emit} emit
      */
@@ -3175,8 +3175,8 @@ function __wbg_get_imports() {
             return ret;
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 1693, ret: Result(Externref), inner_ret: Some(Result(Externref)) }, mutable: false }) -> Externref`.
-            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h39224c4f5e1cec19);
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 16, ret: Result(Externref), inner_ret: Some(Result(Externref)) }, mutable: false }) -> Externref`.
+            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9);
             return ret;
         },
         __wbindgen_generic_0000000000000002: function(arg0) {
@@ -3204,8 +3204,8 @@ function __wbg_get_imports() {
     };
 }
 
-function wasm_bindgen__convert__closures_____invoke__h39224c4f5e1cec19(arg0, arg1, arg2, arg3) {
-    const ret = wasm.wasm_bindgen__convert__closures_____invoke__h39224c4f5e1cec19(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9(arg0, arg1, arg2, arg3) {
+    const ret = wasm.wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9(arg0, arg1, arg2, arg3);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
