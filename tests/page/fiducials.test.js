@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { CAMERA, done, enabled, hosted, open, part, pngs, says, SHOTS, SKIP, upload } from './page.js';
+import { CAMERA, done, enabled, hosted, open, part, pngs, says, SHOTS, SKIP, SMALL, upload } from './page.js';
 
 hosted();
 
@@ -244,7 +244,9 @@ test('marks go with the image that they were measured in, which is said; they st
   await done(page);
   await says(page, 'interior-left', /^4 marks/);
   // The pair with its marks stays in the list of projects.
-  await part(page, 'file-input').setInputFiles([upload('other.png', right.buffer, 'image/png')]);
+  const [other] = pngs({ ...SMALL, seed: 12 });
+  assert.ok(other);
+  await part(page, 'file-input').setInputFiles([upload('other.png', other.buffer, 'image/png')]);
   await part(page, 'other-1').click();
   await says(page, 'status', /stay under Projects\. The 4 fiducial marks of the left image went with it\. The camera that was given stays in use\.$/);
   assert.equal(await marks.count(), 0);
