@@ -77,7 +77,11 @@ fn tables_are_in_the_system_of_the_control_points() {
     );
     // Those that are exported by themselves are the same.
     let mut exported = BTreeMap::new();
-    export_run(run, ExportFormat::Csv, &mut |path, text| Ok(drop(exported.insert(path.to_string(), text.to_string())))).unwrap();
+    export_run(run, ExportFormat::Csv, &mut |path, text| {
+        exported.insert(path.to_string(), text.to_string());
+        Ok(())
+    })
+    .unwrap();
     for (file, columns) in [("images.csv", &["x", "y", "z", "kappa_deg"][..]), ("points.csv", &["x", "y", "z"])] {
         assert_eq!(numbers(&exported[file], columns), numbers(&files[file], columns), "{file}");
     }
