@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { camera_of_focal_px, resolved } from '../pkg/wasm/tiepoint.js';
+import { ROWS } from './rows-geometry.js';
 import { pageModules } from './www.js';
 
 /** @type {Record<string, any>} */
@@ -43,22 +44,6 @@ function pair([left, right], match = null) {
   return { ...state, results: { ...state.results, match: result } };
 }
 
-const FUNDAMENTAL = {
-  model: {
-    kind: 'fundamental',
-    fundamental: [
-      [0, 0, 0],
-      [0, 0, -1],
-      [0, 1, 0],
-    ],
-  },
-  threshold_px: 1,
-  sigma_px: 0.3,
-  degenerate: null,
-  homography: null,
-  focal: null,
-};
-
 /** Matches at the same places of both images, all over them. */
 const SAME = new Float64Array(Array.from({ length: 400 }, (_, k) => [(k * 379) % 1000, (k * 241) % 800]).flatMap(([x = 0, y = 0]) => [x, y, x, y, 0]));
 const ROTATION = { model: { kind: 'homography' }, degenerate: 'pure-rotation', focal: null };
@@ -88,7 +73,7 @@ test('a photo that is not open yet says nothing against the camera that is given
 });
 
 test('a panorama is one whatever the matches tell, on whichever side it is; and no camera is assumed for it', () => {
-  const match = { matches: new Float64Array(), geometry: FUNDAMENTAL, no_geometry: null };
+  const match = { matches: new Float64Array(), geometry: ROWS, no_geometry: null };
   const state = pair([CAMERA, PANORAMA], match);
   assert.deepEqual(page.no_orientation.whyNone(state), { kind: 'panorama', side: 'right' });
   assert.equal(page.interior.interiorInUse(state), null);
@@ -97,7 +82,7 @@ test('a panorama is one whatever the matches tell, on whichever side it is; and 
 test('what is assumed of a camera follows the files and the marks: of a cropped photo its principal point is open, of a scan nothing is', () => {
   const cautions = [{ kind: 'cropped', taken_width_px: 4000, taken_height_px: 3000, width_px: 1000, height_px: 800 }];
   const cropped = { focal_mm: 4, pixel_mm: null, origin: 'focal_length_alone', cautions };
-  const state = pair([cropped, null], { matches: new Float64Array(), geometry: FUNDAMENTAL, no_geometry: null });
+  const state = pair([cropped, null], { matches: new Float64Array(), geometry: ROWS, no_geometry: null });
   const before = page.interior.interiorInUse(state);
   assert.equal(before.doubt.kind, 'cropped');
   assert.ok(before.left.uncertainty.principal_point > 0.4, String(before.left.uncertainty.principal_point));
@@ -114,7 +99,7 @@ test('what is assumed of a camera follows the files and the marks: of a cropped 
  * @param {object | null} tells what the geometry of the two views has of it @param {number} focal @param {number} error
  */
 function oriented(tells, focal, error) {
-  const state = pair([null, null], { matches: new Float64Array(), geometry: { ...FUNDAMENTAL, focal: tells }, no_geometry: null });
+  const state = pair([null, null], { matches: new Float64Array(), geometry: { ...ROWS, focal: tells }, no_geometry: null });
   const own = focal === 0 ? page.interior.interiorInUse(state).focal_mm : focal * 0.001;
   const camera = { focal_mm: own, focal_standard_error_mm: error * 0.001 };
   const result = { key: page.keys.wantedKeys(state).orientation, milliseconds: 0, value: { cameras: [camera, camera] } };

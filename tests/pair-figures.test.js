@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { resolved } from '../pkg/wasm/tiepoint.js';
+import { ROWS } from './rows-geometry.js';
 import { pageModules } from './www.js';
 
 /** @type {Record<string, any>} */
@@ -56,23 +57,6 @@ test('cameras whose focal length the matches gave are not called calibrated', ()
   );
 });
 
-/** Lines of rows of the left image: a point is seen in its own row of the right one. */
-const ROWS = {
-  model: {
-    kind: 'fundamental',
-    fundamental: [
-      [0, 0, 0],
-      [0, 0, -1],
-      [0, 1, 0],
-    ],
-  },
-  threshold_px: 0.27,
-  sigma_px: 0.1,
-  degenerate: null,
-  homography: null,
-  focal: null,
-};
-
 /** A match of descriptors, one that least squares matching placed, and a point that the geometry rejects (rule 6). */
 const BY_GRADIENTS = {
   matches: Float64Array.of(10, 20, 12, 20, 0.3, 30, 40, 32, 40, 0.02),
@@ -82,7 +66,7 @@ const BY_GRADIENTS = {
   best: Int32Array.of(0, -1, 1),
   places: Float64Array.of(12, 20, 32, 40, 50, 63),
   measures: Float64Array.of(0.3, 0.5, 0.02, Infinity, 0.4, 0.6),
-  geometry: ROWS,
+  geometry: { ...ROWS, threshold_px: 0.27 },
   no_geometry: null,
 };
 

@@ -22,6 +22,7 @@ function taking() {
   const here = () => {};
   return {
     store,
+    beside,
     table: (/** @type {string} */ text) => beside.fiducials(new File([text], 'table.csv'), 'left', here),
     camera: (/** @type {object} */ content) => beside.camera(new File([JSON.stringify(content)], 'own.json'), here),
   };
@@ -66,4 +67,15 @@ test('tables of a block are told to be that; what is wrong with one of fiducial 
     assert.doesNotMatch(said, /block/);
   }
   assert.deepEqual(store.state.photos.left.fiducials, []);
+});
+
+test('a file that is gone when it is read is told with the others', async () => {
+  const { beside } = taking();
+  const gone = (/** @type {string} */ name) => Object.assign(new File([''], name), { arrayBuffer: () => Promise.reject(new Error('it is gone')) });
+  const here = () => {};
+  for (const [told, text] of [
+    [await beside.camera(gone('own.json'), here), 'own.json holds no camera data: it is gone.'],
+    [await beside.fiducials(gone('table.csv'), 'left', here), 'table.csv holds no fiducial marks: it is gone.'],
+  ])
+    assert.deepEqual(told, { kind: 'problem', text });
 });

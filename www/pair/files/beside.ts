@@ -59,8 +59,9 @@ export class BesideFiles {
   }
 
   async fiducials(file: File, side: Side, here: Here): Promise<Told> {
-    const text = await textIn(file);
+    let text = '';
     try {
+      text = await textIn(file);
       const fiducials = await this.engine.client('pair').call('parseFiducials', { text });
       here();
       this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
@@ -73,12 +74,12 @@ export class BesideFiles {
   }
 
   async camera(file: File, here: Here): Promise<Told> {
-    const text = await textIn(file);
-    here();
-    const { [OWN_SETTINGS]: subject } = fieldsOf(text);
-    if (subject === 'pair') return info(say('holds-settings', { name: file.name }));
-    if (subject !== undefined) return problem(`${file.name}: ${sentence(say('the-file-holds-settings-of', { subject: String(subject), of: 'pair' }))}`);
     try {
+      const text = await textIn(file);
+      here();
+      const { [OWN_SETTINGS]: subject } = fieldsOf(text);
+      if (subject === 'pair') return info(say('holds-settings', { name: file.name }));
+      if (subject !== undefined) return problem(`${file.name}: ${sentence(say('the-file-holds-settings-of', { subject: String(subject), of: 'pair' }))}`);
       const camera = await this.engine.client('pair').call('parseCamera', { text });
       here();
       this.store.dispatch({ type: 'camera', camera });
