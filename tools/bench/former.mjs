@@ -1,14 +1,23 @@
-/** Processor time of the command beside that of another checkout, run in turns: `npm run bench -- former --checkout=FOLDER`. */
+/**
+ * Processor time of the command beside that of another checkout, run in turns: `npm run bench -- former --checkout=FOLDER`. The adjustment of a pair, which the
+ * start of the command outweighs, once more by itself.
+ */
 
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { ROOT } from '../lib/paths.mjs';
-import { must, run } from '../lib/process.mjs';
+import { asked, must, run } from '../lib/process.mjs';
 import { numberOption, textOption } from './options.mjs';
 import { normal } from './dice.mjs';
+import { median } from './median.mjs';
 
 const PROGRAM = 'pkg/bin/tiepoint.js';
+const WARM = fileURLToPath(new URL('warm-adjustment.mjs', import.meta.url));
+
+/** Observations of pairs that are adjusted by themselves. */
+const OBSERVATIONS = [20, 200, 5000];
 
 /** Of the small flights below, so that a run of all takes minutes. */
 const PHOTO = ['--width-px', '1200', '--height-px', '900', '--pixel-mm', '0.048'];
@@ -26,19 +35,38 @@ export async function former() {
   try {
     const jobs = await made(folder);
     console.log(`Processor time beside ${checkout} (medians of ${runs} runs in turns; the command with its start, all threads)`);
-    for (const [name, args] of jobs) {
-      /** @type {[number[], number[]]} */
-      const times = [[], []];
-      for (let k = 0; k < runs; k++) {
-        // The one that is first changes from run to run.
-        for (const which of k % 2 === 0 ? [0, 1] : [1, 0]) times[which]?.push(await seconds(which === 0 ? ROOT : resolve(checkout), args));
-      }
-      const [own = NaN, other = NaN] = times.map(median);
-      console.log(`  ${name.padEnd(34)} ${own.toFixed(2)} s, former ${other.toFixed(2)} s, ratio ${(own / other).toFixed(2)}`);
+    for (const [name, args] of jobs) await compared(name, 's', runs, (which) => seconds(which === 0 ? ROOT : resolve(checkout), args));
+    for (const count of OBSERVATIONS) {
+      const table = observations(folder, count);
+      await compared(`adjustment of ${count} observations`, 'ms', runs, async (which) =>
+        Number(await asked(process.execPath, [WARM, which === 0 ? ROOT : resolve(checkout), table])),
+      );
     }
   } finally {
     rmSync(folder, { recursive: true });
   }
+}
+
+/**
+ * Prints medians of both and their ratio. `time`: of this checkout (0) or the other one.
+ * @param {string} name @param {string} unit @param {number} runs @param {(which: 0 | 1) => Promise<number>} time
+ */
+async function compared(name, unit, runs, time) {
+  /** @type {[number[], number[]]} */
+  const times = [[], []];
+  for (let k = 0; k < runs; k++) {
+    // The one that is first changes from run to run.
+    for (const which of /** @type {(0 | 1)[]} */ (k % 2 === 0 ? [0, 1] : [1, 0])) times[which].push(await time(which));
+  }
+  const [own = NaN, other = NaN] = times.map(median);
+  console.log(`  ${name.padEnd(34)} ${own.toFixed(2)} ${unit}, former ${other.toFixed(2)} ${unit}, ratio ${(own / other).toFixed(2)}`);
+}
+
+/** Writes a table of so many.  @param {string} folder @param {number} count */
+function observations(folder, count) {
+  const path = join(folder, `observations-${count}.csv`);
+  writeFileSync(path, ofModel(count));
+  return path;
 }
 
 /** Flights by this checkout, and what both do with them.  @param {string} folder @returns {Promise<[string, string[]][]>} */
@@ -46,14 +74,9 @@ async function made(folder) {
   const [pair, block] = [join(folder, 'pair'), join(folder, 'block')];
   await must(process.execPath, [join(ROOT, PROGRAM), 'sample', '--out', pair], { quiet: true });
   await must(process.execPath, [join(ROOT, PROGRAM), 'simulate', '--block', '--out', block, '--strips', '2', '--exposures', '4', ...PHOTO], { quiet: true });
-  const observations = (/** @type {number} */ count) => {
-    const path = join(folder, `observations-${count}.csv`);
-    writeFileSync(path, ofModel(count));
-    return path;
-  };
   const [left, right] = ['left.png', 'right.png'].map((name) => join(pair, name));
   const match = (/** @type {string} */ strategy) => ['match', left ?? '', right ?? '', '--strategy', strategy, '--json'];
-  const orient = (/** @type {number} */ count) => ['orient', observations(count), '--focal-mm', '153', '--base-mm', '92', '--json'];
+  const orient = (/** @type {number} */ count) => ['orient', observations(folder, count), '--focal-mm', '153', '--base-mm', '92', '--json'];
   const blockOf = (/** @type {string[]} */ ...more) => ['block', join(block, 'photos'), '--out', join(folder, 'out'), '--json', '--workers', '2', ...more];
   return [
     ['help (the start alone)', ['help']],
@@ -87,6 +110,3 @@ async function seconds(checkout, args) {
   if (!found || ![0, 3, 4].includes(code)) throw new Error(`${args.join(' ')} ended with ${code} in ${checkout}\n${output.slice(-1500)}`);
   return Number(found[1]) / 1e6;
 }
-
-/** @param {number[]} values */
-const median = (values) => values.sort((a, b) => a - b)[values.length >> 1] ?? NaN;
