@@ -8024,8 +8024,9 @@ var BesideFiles = class {
 		return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? "right" : "left";
 	}
 	async fiducials(file, side, here) {
-		const text = await textIn(file);
+		let text = "";
 		try {
+			text = await textIn(file);
 			const fiducials = await this.engine.client("pair").call("parseFiducials", { text });
 			here();
 			this.store.dispatch({
@@ -8045,15 +8046,15 @@ var BesideFiles = class {
 		}
 	}
 	async camera(file, here) {
-		const text = await textIn(file);
-		here();
-		const { [OWN_SETTINGS]: subject } = fieldsOf(text);
-		if (subject === "pair") return info(say("holds-settings", { name: file.name }));
-		if (subject !== void 0) return problem(`${file.name}: ${sentence(say("the-file-holds-settings-of", {
-			subject: String(subject),
-			of: "pair"
-		}))}`);
 		try {
+			const text = await textIn(file);
+			here();
+			const { [OWN_SETTINGS]: subject } = fieldsOf(text);
+			if (subject === "pair") return info(say("holds-settings", { name: file.name }));
+			if (subject !== void 0) return problem(`${file.name}: ${sentence(say("the-file-holds-settings-of", {
+				subject: String(subject),
+				of: "pair"
+			}))}`);
 			const camera = await this.engine.client("pair").call("parseCamera", { text });
 			here();
 			this.store.dispatch({
