@@ -100,12 +100,12 @@ var Facts = class {
 		this.of = of;
 		this.answers.clear();
 		this.asked.clear();
-		this.goOn(false);
+		this.goOn(true);
 	}
-	goOn(hasCome) {
+	goOn(goesOn) {
 		const { waiting } = this;
 		this.waiting = [];
-		for (const resolve of waiting) resolve(hasCome);
+		for (const resolve of waiting) resolve(goesOn);
 	}
 };
 // www/block/state/former.ts
@@ -939,9 +939,11 @@ var addedLinks = remember((steps, done) => {
 		byHand: new Uint8Array(added.length).fill(1)
 	};
 });
-function useWord({ steps, done }, link, use) {
-	if (use !== "rejected") return say("link-use", { use });
-	return steps.slice(0, done).findLast((step) => step.kind !== "add" && step.link === link)?.kind === "reject" ? say("rejected-by-hand-2") : say("rejected-as-a-gross-error");
+function useWord({ steps, done }, link, use, byHand = false) {
+	const isByUser = steps.slice(0, done).findLast((step) => step.kind !== "add" && step.link === link)?.kind === "reject";
+	if (byHand) return sayNamed("link-measured-by-hand", { use: use !== "rejected" ? use : isByUser ? "by_hand" : "gross_error" });
+	if (use !== "rejected") return sayNamed("link-use", { use });
+	return isByUser ? say("rejected-by-hand-2") : say("rejected-as-a-gross-error");
 }
 function stepName(step) {
 	return step.kind === "add" ? say("add-a-link") : say("link-2", {
@@ -4150,7 +4152,7 @@ var besideBlock = remember((view, control, crs, geoid_m) => {
 		byHand: false
 	}]);
 });
-var measured = remember((points, view, file, history) => {
+var measured$1 = remember((points, view, file, history) => {
 	if (points.length === 0) return NONE_GIVEN;
 	const images = new Map();
 	for (const { point } of allMarks(file, history, view.images)) images.set(point, (images.get(point) ?? 0) + 1);
@@ -4199,7 +4201,7 @@ function pendingPoints(state) {
 function ofFile(view, { options, marks }) {
 	if (options.control === null) return NONE_GIVEN;
 	const { crs = null, geoid_m = null } = options.settings?.placing ?? {};
-	return measured(besideBlock(view, options.control, crs ?? view.crs, geoid_m), view, options.marks, marks);
+	return measured$1(besideBlock(view, options.control, crs ?? view.crs, geoid_m), view, options.marks, marks);
 }
 // www/block/state/orthophoto-unit.ts
 var FOOT_M$1 = .3048;
@@ -4451,25 +4453,134 @@ function gsdText$1(gsd, unit) {
 function named(rasters) {
 	return rasters.map(({ file }) => file.name).join(", ");
 }
+// www/block/files/placed.ts
+function placedCsv(names, placed) {
+	return placed_tables([...names], placed);
+}
+// www/block/panel/placing-exports.ts
+var EXPORT$1 = "placed-export";
+var NAMES$3 = {
+	placed: say("positions-placed-csv"),
+	links: say("links-links-csv"),
+	result: say("all-results-result-json"),
+	rectified: say("chosen-image-on-the-ground"),
+	all: say("all-images-on-the-ground")
+};
+function placingExports(store, engine) {
+	const select = h("select", {
+		testid: "placed-export-kind",
+		aria: { label: say("what-of-the-placed-images") }
+	});
+	const kinds = Object.keys(NAMES$3);
+	fill(select, ...kinds.map((kind) => new Option(NAMES$3[kind], kind)));
+	const press = button(say("save"), EXPORT$1, () => void savePlaced(store, engine, select.value));
+	const show = () => {
+		const needsChosen = select.value === "rectified";
+		const has = placedFiles(store.state).some(({ result }) => result !== null && (result.placement !== null || !needsChosen));
+		press.disabled = isBusy(store.state) || !has || needsChosen && (chosenPlaced(store.state)?.result?.placement ?? null) === null;
+	};
+	select.addEventListener("change", show);
+	store.watch([
+		"placing",
+		"files",
+		"running",
+		"notice"
+	], show);
+	return h("span", {
+		class: "placed-exports",
+		role: "group",
+		aria: { label: say("export-of-the-placed-images") }
+	}, select, press);
+}
+async function savePlaced(store, engine, kind, near = EXPORT$1) {
+	const tell = (sort, text, where = {}) => store.dispatch({
+		type: "notice",
+		notice: {
+			kind: sort,
+			text,
+			...where
+		}
+	});
+	tell("busy", say("writing", { names: NAMES$3[kind] }));
+	try {
+		const [content, name] = await made$1(store, engine, kind, (text) => tell("busy", text));
+		save(content, name);
+		tell("info", say("was-saved", { name }), { beside: true });
+	} catch (error) {
+		if (error instanceof Cancelled) tell("info", say("cancelled-nothing-was-saved"), { beside: true });
+		else tell("problem", say("nothing-was-saved", { sentence: sentence(messageOf(error)) }), { near });
+	}
+}
+async function made$1(store, engine, kind, tell) {
+	const tried = placedFiles(store.state).flatMap(({ file, result }) => result === null ? [] : [{
+		file,
+		result
+	}]);
+	const tables = () => placedCsv(tried.map(({ file }) => file.name), tried.map(({ result }) => inRows(result)));
+	const tiff = (bytes) => new Blob([bytes], { type: "image/tiff" });
+	switch (kind) {
+		case "placed": return [new Blob([tables().placed], { type: "text/csv" }), "placed.csv"];
+		case "links": return [new Blob([tables().links], { type: "text/csv" }), "links.csv"];
+		case "result": {
+			const { orthophoto } = store.state.placing;
+			const all = {
+				orthophoto: {
+					name: orthophoto?.raster.name ?? "",
+					...orthophoto?.info
+				},
+				images: tried.map(({ file, result }) => ({
+					name: file.name,
+					...inRows(result)
+				}))
+			};
+			return [new Blob([`${JSON.stringify(all, null, 1)}\n`], { type: "application/json" }), "result.json"];
+		}
+		case "rectified": {
+			const chosen = chosenPlaced(store.state);
+			if (chosen === null) throw new Error(say("no-image-is-chosen-2"));
+			return [tiff(await engine.rectified(chosen.file)), rectifiedName(chosen.file.name)];
+		}
+		case "all": {
+			const placed = tried.filter(({ result }) => result.placement !== null);
+			const archive = new Archive();
+			for (const [i, { file }] of placed.entries()) {
+				tell(say("resampling-to-the-ground-of", {
+					name: file.name,
+					i: i + 1,
+					placed: placed.length
+				}));
+				archive.add(rectifiedName(file.name), await engine.rectified(file), true);
+			}
+			return [archive.end(), "rectified.zip"];
+		}
+	}
+}
+function rectifiedName(name) {
+	return `${(name.split("/").at(-1) ?? name).replace(/\.[^.]*$/u, "")}-rectified.tif`;
+}
 // www/block/panel/mosaic.ts
 var NAME = "orthomosaic.tif";
-async function saveMosaic(store, engine, placing, near, pixel) {
-	const mosaic = await made$1(store, engine, placing, {
+async function saveMosaic(store, engine, placing, near, pixel, images) {
+	const mosaic = await made(store, engine, placing, {
 		inAdjustment: false,
-		gsd: pixel ?? null
+		gsd: pixel ?? null,
+		images
 	}, near);
 	if (mosaic === null) return;
-	save(mosaic, NAME);
+	const [alone, ...others] = images ?? [];
+	const name = alone === void 0 || others.length > 0 ? NAME : rectifiedName(alone);
+	save(mosaic, name);
 	tell$2(store, "info", say("was-saved-2", {
-		name: NAME,
-		store: missingText(store)
+		name,
+		store: missingText(store, images)
 	}), { beside: true });
 }
 async function makeMosaic(store, engine, placing, near) {
 	const key = store.state.shown?.key ?? "";
-	const mosaic = await made$1(store, engine, placing, {
+	const mosaic = await made(store, engine, placing, {
 		inAdjustment: true,
-		gsd: null
+		gsd: null,
+		images: null
 	}, near);
 	if (mosaic === null) return;
 	tell$2(store, "busy", say("laying-the-orthomosaic-under-the"));
@@ -4485,14 +4596,14 @@ async function makeMosaic(store, engine, placing, near) {
 		});
 		tell$2(store, "info", say("the-orthomosaic-lies-under-the", {
 			orthophoto: orthophotoText(orthophoto),
-			store: missingText(store)
+			store: missingText(store, null)
 		}), { beside: true });
 	} catch (error) {
 		tell$2(store, "problem", say("the-orthomosaic-cannot-be-shown", { sentence: sentence(messageOf(error)) }), { near });
 	}
 }
-async function made$1(store, engine, placing, how, near) {
-	const files = imagesOfBlock(store.state);
+async function made(store, engine, placing, how, near) {
+	const files = there(store, how.images);
 	if (files.length === 0) {
 		tell$2(store, "problem", say("an-orthomosaic-is-made-of"), { near });
 		return null;
@@ -4506,8 +4617,11 @@ async function made$1(store, engine, placing, how, near) {
 	}
 	return null;
 }
-function missingText({ state }) {
-	const missing = (state.shown?.view.images.length ?? 0) - imagesOfBlock(state).length;
+function there({ state }, images) {
+	return imagesOfBlock(state).filter(({ name }) => images === null || images.includes(name));
+}
+function missingText(store, images) {
+	const missing = (images ?? store.state.shown?.view.images ?? []).length - there(store, images).length;
 	return missing > 0 ? say("missing-in-it-add-to", { missing }) : "";
 }
 function tell$2(store, kind, text, where = {}) {
@@ -4521,7 +4635,7 @@ function tell$2(store, kind, text, where = {}) {
 	});
 }
 // www/block/panel/exports.ts
-var NAMES$3 = {
+var NAMES$2 = {
 	project: say("project-file"),
 	everything: say("everything-zip"),
 	colmap: "COLMAP",
@@ -4537,15 +4651,23 @@ var NAMES$3 = {
 	json: "JSON",
 	geojson: "GeoJSON"
 };
-var MOSAIC = "mosaic";
-var EXPORT$1 = "block-export";
+var MOSAICS = {
+	mosaic: say("orthomosaic-geotiff"),
+	chosen: say("chosen-images-on-the-ground")
+};
+var isMosaic = (kind) => kind in MOSAICS;
+var EXPORT = "block-export";
 function mountExports(host, store, engine, placing) {
 	const select = h("select", {
 		id: "block-export-kind",
 		testid: "block-export-kind",
 		aria: { label: say("format") }
 	});
-	const press = button(say("save"), EXPORT$1, () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing, EXPORT$1, typed(pixel)) : saveAs(store, engine, select.value)));
+	const press = button(say("save"), EXPORT, () => {
+		const { value } = select;
+		if (isMosaic(value)) saveMosaic(store, engine, placing, EXPORT, typed(pixel), value === "chosen" ? chosenImages(store) : null);
+		else saveAs(store, engine, value);
+	});
 	const pixel = h("input", {
 		id: "block-mosaic-pixel",
 		type: "number",
@@ -4556,42 +4678,47 @@ function mountExports(host, store, engine, placing) {
 	pixel.title = say("pixel-of-the-orthomosaic");
 	pixel.step = "any";
 	pixel.hidden = true;
-	const offerPixel = () => {
-		pixel.hidden = select.value !== MOSAIC;
-	};
-	select.addEventListener("change", offerPixel);
-	host.append(h("span", { class: "group-label" }, say("export")), select, pixel, press);
-	store.watch([
-		"shown",
-		"running",
-		"notice",
-		"history",
-		"placing"
-	], ([shown, , , history]) => {
+	const offer = () => {
+		const { shown, history } = store.state;
+		pixel.hidden = !isMosaic(select.value);
 		const whole = shown !== null && !shown.view.partial;
-		press.disabled = !whole || isBusy(store.state) || !isSameList(editsInForce(history), shown.edits);
+		const lacksImages = select.value === "chosen" && chosenImages(store).length === 0;
+		press.disabled = !whole || isBusy(store.state) || lacksImages || !isSameList(editsInForce(history), shown.edits);
+		press.title = lacksImages ? say("choose-one-or-more-images") : "";
 		select.disabled = pixel.disabled = !whole;
-	});
+	};
+	select.addEventListener("change", offer);
+	host.append(h("span", { class: "group-label" }, say("export")), select, pixel, press);
 	store.watch(["shown"], ([shown]) => {
 		const formats = shown?.view.formats ?? [];
 		const kinds = [
 			"project",
 			"everything",
-			...(shown?.view.oriented ?? 0) > 0 ? [MOSAIC] : [],
+			...(shown?.view.oriented ?? 0) > 0 ? ["mosaic", "chosen"] : [],
 			...formats
 		];
 		const { value } = select;
-		fill(select, ...kinds.map((kind) => new Option(kind === MOSAIC ? say("orthomosaic-geotiff") : NAMES$3[kind], kind)));
+		fill(select, ...kinds.map((kind) => new Option(isMosaic(kind) ? MOSAICS[kind] : NAMES$2[kind], kind)));
 		if (kinds.some((kind) => kind === value)) select.value = value;
-		offerPixel();
 	});
+	store.watch([
+		"shown",
+		"running",
+		"notice",
+		"history",
+		"placing",
+		"selection"
+	], offer);
 }
-async function saveAs(store, engine, kind, near = EXPORT$1) {
+function chosenImages({ state: { shown, selection } }) {
+	return imagesOf(selection.chosen).flatMap((image) => shown?.view.images[image]?.name ?? []);
+}
+async function saveAs(store, engine, kind, near = EXPORT) {
 	store.dispatch({
 		type: "notice",
 		notice: {
 			kind: "busy",
-			text: say("writing", { names: NAMES$3[kind] })
+			text: say("writing", { names: NAMES$2[kind] })
 		}
 	});
 	try {
@@ -4625,7 +4752,7 @@ async function saveAs(store, engine, kind, near = EXPORT$1) {
 			notice: {
 				kind: "problem",
 				text: say("was-not-written", {
-					names: NAMES$3[kind],
+					names: NAMES$2[kind],
 					reason
 				}),
 				near
@@ -6945,6 +7072,30 @@ function isShown({ state: { shown, opened } }, pair) {
 	const names = opened?.map((image) => shown?.view.images[image]?.name) ?? [];
 	return names.length > 0 && names.every((name, i) => name === pair.names()[i]);
 }
+// www/block/state/judged.ts
+function judgedOf({ role, difference_m: difference, standard_errors_m: errors, left_out: leftOut }) {
+	return role === "control" && leftOut !== void 0 ? {
+		isLeftOut: true,
+		difference: leftOut.difference,
+		errors: leftOut.standard_errors
+	} : {
+		isLeftOut: false,
+		difference,
+		errors
+	};
+}
+function ratioOf({ difference, errors }, axis) {
+	const error = errors[axis] ?? NaN;
+	return error > 0 ? (difference[axis] ?? NaN) / error : NaN;
+}
+function planOf({ difference: [x = NaN, y = NaN], errors: [sx, sy] }) {
+	const length = Math.hypot(x, y);
+	const [ex, ey] = [sx ?? NaN, sy ?? NaN];
+	return {
+		length,
+		error: length > 0 ? Math.hypot(x * ex, y * ey) / length : Math.max(ex, ey)
+	};
+}
 // www/block/state/columns.ts
 var NO_ROWS = {
 	count: 0,
@@ -7043,6 +7194,11 @@ function surveyedRows(view, given, asGiven = NO_COORDINATES) {
 	const places = given.map(({ place }) => place === null ? null : system.coordinates(Float64Array.from(place)));
 	const isOther = (row, name) => asGiven.get(name)?.some((value, k) => differs(value, own[3 * row + k])) === true;
 	const areOthers = given.some(({ position }, i) => places[i] == null || position.some((value, k) => differs(value, places[i]?.[k]))) || surveyed.some(({ name }, row) => isOther(row, name));
+	const judged = surveyed.map(judgedOf);
+	const parts = ["control", "check"].map((role) => ({
+		label: roleText(role),
+		has: (row) => surveyed[row]?.isUsed === true && surveyed[row].role === role
+	}));
 	const beside = (row) => given[row - surveyed.length];
 	const useText = (row) => {
 		const own = beside(row);
@@ -7053,12 +7209,16 @@ function surveyedRows(view, given, asGiven = NO_COORDINATES) {
 		count: surveyed.length + given.length,
 		columns: [
 			words("surveyed", say("point"), (i) => surveyed[i]?.name ?? beside(i)?.name ?? "", say("name-of-the-surveyed-point")),
-			words("use", say("use"), useText, say("control-points-place-the-block")),
+			{
+				...words("use", say("use"), useText, say("control-points-place-the-block")),
+				parts
+			},
 			numbers("surveyed-rays", say("rays-2"), "", 0, (i) => surveyed[i]?.rays ?? NaN, say("image-measurements-that-took-part"), { total: "sum" }),
 			...areOthers ? axes.map((axis, k) => numbers(`given-${axis}`, sayNamed("as-given", { axis }), "", 3, (i) => beside(i)?.position[k] ?? asGiven.get(surveyed[i]?.name ?? "")?.[k] ?? NaN, say("in-the-unit-and-the", { axis }))) : [],
 			...axes.map((axis, k) => numbers(`surveyed-${axis}`, headOf(system, axis), system.name === "" ? "m" : unitOn(system, k), 3 + moreOn(system, k), (i) => (i < surveyed.length ? own[3 * i + k] : places[i - surveyed.length]?.[k]) ?? NaN, helpOf(system, axis, say("surveyed-in-the-system-of", { axis })))),
 			...axes.map((axis, k) => numbers(`difference-${axis}`, `Δ${axis}`, "m", 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say("adjusted-minus-surveyed", { axis }), { total: "rms" })),
 			...axes.map((axis, k) => numbers(`difference-sigma-${axis}`, `σ Δ${axis}`, "m", 3, (i) => surveyed[i]?.standard_errors_m[k], say("standard-error-of", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers(`difference-ratio-${axis}`, `Δ/σ ${axis}`, "", 1, (i) => judged[i] && ratioOf(judged[i], k), say("difference-by-standard-error", { axis }), { total: "rms" })),
 			...axes.map((axis, k) => numbers(`left-out-${axis}`, sayNamed("difference-left-out", { axis }), "m", 3, (i) => surveyed[i]?.left_out?.difference[k], say("where-the-other-observations-have", { axis }), { total: "rms" })),
 			...axes.map((axis, k) => numbers(`left-out-sigma-${axis}`, sayNamed("standard-error-left-out", { axis }), "m", 3, (i) => surveyed[i]?.left_out?.standard_errors[k], say("standard-error-of-where-the", { axis }), { total: "rms" }))
 		]
@@ -7513,14 +7673,14 @@ var OF_ONE_PIECE = new Set([
 	"points",
 	"orientation"
 ]);
-var NAMES$2 = Object.keys(STAGES);
+var NAMES$1 = Object.keys(STAGES);
 function mountProgress(host, store) {
 	const body = h("div", { class: "stages" });
 	const whole = section(say("run"), "block-progress", body);
 	host.append(whole);
 	store.watch(["running", "shown"], ([running, shown]) => {
 		const steps = running.kind === "no" ? shown?.steps ?? {} : running.steps;
-		const begun = NAMES$2.flatMap((name) => steps[name] === void 0 ? [] : [stage(name, steps[name])]);
+		const begun = NAMES$1.flatMap((name) => steps[name] === void 0 ? [] : [stage(name, steps[name])]);
 		whole.hidden = begun.length === 0;
 		fill(body, ...begun);
 	});
@@ -7585,7 +7745,7 @@ function stepText$1(stage, { done, total, found, seconds, secondsLeft, name }) {
 	].filter((part) => part !== "").join("; ");
 }
 function present(steps) {
-	const name = NAMES$2.findLast((stage) => steps[stage] !== void 0);
+	const name = NAMES$1.findLast((stage) => steps[stage] !== void 0);
 	const step = name === void 0 ? void 0 : steps[name];
 	return name === void 0 || step === void 0 ? null : [name, step];
 }
@@ -9546,11 +9706,339 @@ var ImagesView = class {
 		else paintOverlay(context, this.seen, this.measuring, panes, this.lenses(panes), this.pointedAt());
 	}
 };
+// www/block/state/place-on.ts
+function placeOnOrthophoto({ placing: { orthophoto }, shown, selection: { chosen } }) {
+	if (orthophoto === null || orthophoto.ofBlock !== null || shown === null || chosen === null) return null;
+	const { view, given } = shown;
+	const [point, ...more] = pointsOf(chosen);
+	const known = point === void 0 || more.length > 0 ? void 0 : surveyedAt(view, point);
+	const waits = chosen.kind === "given" ? given.find(({ name }) => name === chosen.name) : void 0;
+	if (!isPlaceByHand(known?.name ?? waits?.name ?? "")) return null;
+	if (waits !== void 0 && view.crs === null) return [waits.position[0], waits.position[1]];
+	const place = known?.position ?? waits?.place ?? null;
+	const to = toSystemOf(orthophoto, view);
+	return place === null || to === null ? null : mapped(to, place[0], place[1]);
+}
+// www/block/view/orthophoto/links.ts
+var LINK_STYLES = {
+	used: {
+		...ACCEPTED,
+		name: say("link-use", { use: "used" })
+	},
+	check: {
+		colour: CANDIDATE,
+		shape: SHAPES.square,
+		name: say("link-use", { use: "check" })
+	},
+	rejected: {
+		...REJECTED,
+		name: say("link-use", { use: "rejected" })
+	}
+};
+var STYLES = [...USES$1.map((use) => LINK_STYLES[use]), MEASURED];
+function useOf$1(code) {
+	return USES$1[code] ?? "used";
+}
+var REACH$2 = 12;
+function linksOnImage({ count, at, residuals, uses, byHand }) {
+	const points = new Float64Array(3 * count);
+	const vectors = new Float64Array(4 * count);
+	for (let i = 0; i < count; i++) {
+		const place = at.subarray(2 * i, 2 * i + 2);
+		points.set(place, 3 * i);
+		vectors.set(place, 4 * i);
+		vectors.set(residuals.subarray(2 * i, 2 * i + 2), 4 * i + 2);
+	}
+	return {
+		points,
+		box: spreadOf(points),
+		codes: codesOf(uses, byHand),
+		vectors
+	};
+}
+function linksOnGround({ places, uses, byHand }) {
+	return pointsOnGround(places, codesOf(uses, byHand));
+}
+function pointsOnGround(places, codes) {
+	const points = Float64Array.from(places, (value, i) => i % 3 === 0 ? value : i % 3 === 1 ? -value : 0);
+	return {
+		points,
+		box: spreadOf(points),
+		codes: Uint8Array.from(codes),
+		vectors: new Float64Array()
+	};
+}
+var BY_HAND$1 = USES$1.length;
+function codeOfUse(use, byHand) {
+	return use === "used" && byHand ? BY_HAND$1 : USES$1.indexOf(use);
+}
+function codesOf(uses, byHand) {
+	return uses.map((use, i) => use === 0 && byHand[i] === 1 ? BY_HAND$1 : use);
+}
+function spreadOf(points) {
+	const box = [
+		Infinity,
+		Infinity,
+		-Infinity,
+		-Infinity
+	];
+	for (let i = 0; i < points.length; i += 3) {
+		const [x = 0, y = 0] = points.subarray(i, i + 2);
+		box[0] = Math.min(box[0], x);
+		box[1] = Math.min(box[1], y);
+		box[2] = Math.max(box[2], x);
+		box[3] = Math.max(box[3], y);
+	}
+	return points.length === 0 ? [0, 0] : [box[2] - box[0], box[3] - box[1]];
+}
+function linkAt({ points, codes }, uses, t, x, y) {
+	let [found, least] = [-1, REACH$2];
+	for (let link = 0; 3 * link < points.length; link++) {
+		if (!uses.has(useOf$1(codes[link] ?? 0))) continue;
+		const [px, py] = toCanvas(t, points[3 * link] ?? 0, points[3 * link + 1] ?? 0);
+		const distance = Math.hypot(px - x, py - y);
+		if (distance < least) [found, least] = [link, distance];
+	}
+	return found;
+}
+function drawLinks(context, links, t, clip, uses) {
+	const half = markSize(links, t);
+	const styles = Float64Array.from(STYLES.flatMap(({ shape }, code) => [
+		shape,
+		code === BY_HAND$1 ? LARGEST$1 : half,
+		Math.min(1.6, .6 + .35 * half)
+	]));
+	draw_points(context, links.points, shownCodes(links, uses), styles, STYLES.map(({ colour }) => colour), drawView(t, clip));
+}
+var [SMALLEST, LARGEST$1] = [1, 4.5];
+function markSize({ points, box: [width, height] }, { scale }) {
+	const apart = scale * Math.sqrt(width * height / Math.max(1, points.length / 3));
+	return Math.min(LARGEST$1, Math.max(SMALLEST, .3 * apart));
+}
+var NOT_DRAWN = 255;
+function shownCodes({ codes }, uses) {
+	const shown = STYLES.map((_, code) => uses.has(useOf$1(code)));
+	return codes.map((code) => shown[code] === true ? code : NOT_DRAWN);
+}
+function drawLinkResiduals(context, links, factor, t, clip, uses) {
+	draw_vectors(context, links.vectors, shownCodes(links, uses), Float64Array.of(1.2, 1.2, 1.2, 1.2), [
+		RESIDUAL,
+		CANDIDATE,
+		RESIDUAL_REJECTED,
+		RESIDUAL
+	], factor, drawView(t, clip));
+}
+function drawCross(context, [x, y], colour) {
+	context.save();
+	for (const [stroke, width] of [["rgb(0 0 0 / 0.6)", 4], [colour, 2]]) {
+		context.strokeStyle = stroke;
+		context.lineWidth = width;
+		context.beginPath();
+		for (const [dx, dy] of [[1, 0], [0, 1]]) {
+			context.moveTo(x - 12 * dx, y - 12 * dy);
+			context.lineTo(x - 3 * dx, y - 3 * dy);
+			context.moveTo(x + 3 * dx, y + 3 * dy);
+			context.lineTo(x + 12 * dx, y + 12 * dy);
+		}
+		context.stroke();
+	}
+	context.restore();
+}
+function drawRing(context, { points }, link, t, chosen) {
+	const [x, y] = points.subarray(3 * link, 3 * link + 2);
+	if (x === void 0 || y === void 0) return;
+	const [cx, cy] = toCanvas(t, x, y);
+	context.save();
+	for (const [colour, width] of [["rgb(0 0 0 / 0.6)", chosen ? 5 : 3.5], [SELECTED, chosen ? 2.5 : 1.5]]) {
+		context.strokeStyle = colour;
+		context.lineWidth = width;
+		context.beginPath();
+		context.arc(cx, cy, 10, 0, 2 * Math.PI);
+		context.stroke();
+	}
+	context.restore();
+}
+// www/block/view/orthophoto/tiles.ts
+var MOST_TILES = 400;
+var AT_ONCE = 2;
+var OrthophotoTiles = class {
+	make;
+	arrived;
+	of = null;
+	made = new Map();
+	wanted = [];
+	asked = new Set();
+	constructor(make, arrived) {
+		this.make = make;
+		this.arrived = arrived;
+	}
+	paint(context, { raster, info }, toSystem, t, [width, height, ratio]) {
+		this.keepOnly(raster);
+		const toCanvas = after({
+			a: t.scale,
+			b: 0,
+			c: 0,
+			d: -t.scale,
+			e: t.x,
+			f: t.y
+		}, after(toSystem, affineOf(info.georeference)));
+		const coarsest = Math.max(0, Math.ceil(Math.log2(Math.max(info.width, info.height) / 512)));
+		const level = Math.min(coarsest, Math.max(0, Math.floor(Math.log2(1 / (scaleOf(toCanvas) * ratio)))));
+		const seen = partSeen(toCanvas, info, width, height);
+		context.save();
+		context.transform(toCanvas.a, toCanvas.b, toCanvas.c, toCanvas.d, toCanvas.e, toCanvas.f);
+		context.imageSmoothingEnabled = scaleOf(toCanvas) * ratio < 2 || level > 0;
+		const missing = tilesOf(coarsest, seen, info).filter((tile) => !this.made.has(nameOf(tile)));
+		for (const tile of tilesOf(level, seen, info)) {
+			if (level < coarsest && !this.made.has(nameOf(tile))) missing.push(tile);
+			this.paintTile(context, tile, coarsest, info);
+		}
+		context.restore();
+		this.ask(missing, seen);
+	}
+	paintTile(context, { level, column, row }, coarsest, { width, height }) {
+		const side = 256 * 2 ** level;
+		const [x, y] = [column * side, row * side];
+		for (let up = 0; level + up <= coarsest; up++) {
+			const name = nameOf({
+				level: level + up,
+				column: column >> up,
+				row: row >> up
+			});
+			const bitmap = this.made.get(name);
+			if (bitmap == null) continue;
+			this.made.delete(name);
+			this.made.set(name, bitmap);
+			const step = 2 ** (level + up);
+			const [left, top] = [x / step % 256, y / step % 256];
+			const across = Math.min(256 / 2 ** up, bitmap.width - left, Math.ceil((width - x) / step));
+			const down = Math.min(256 / 2 ** up, bitmap.height - top, Math.ceil((height - y) / step));
+			context.drawImage(bitmap, left, top, across, down, x, y, across * step, down * step);
+			return;
+		}
+	}
+	ask(missing, [left, top, right, bottom]) {
+		const [x, y] = [(left + right) / 2, (top + bottom) / 2];
+		const far = ({ level, column, row }) => {
+			const side = 256 * 2 ** level;
+			return Math.hypot((column + .5) * side - x, (row + .5) * side - y);
+		};
+		this.wanted = missing.sort((a, b) => b.level - a.level || far(a) - far(b));
+		this.next();
+	}
+	next() {
+		while (this.asked.size < AT_ONCE) {
+			const tile = this.wanted.find((candidate) => !this.asked.has(nameOf(candidate)));
+			if (tile === void 0) return;
+			this.wanted = this.wanted.filter((other) => other !== tile);
+			this.fetch(tile, this.of);
+		}
+	}
+	async fetch(tile, of) {
+		const name = nameOf(tile);
+		this.asked.add(name);
+		try {
+			const bitmap = await this.make(tile.level, tile.column, tile.row);
+			if (this.of === of) this.made.set(name, bitmap);
+			else bitmap.close();
+		} catch (error) {
+			if (this.of === of && !(error instanceof Cancelled)) this.made.set(name, null);
+		}
+		this.asked.delete(name);
+		this.forgetOldest();
+		this.next();
+		this.arrived();
+	}
+	forgetOldest() {
+		for (const [name, bitmap] of this.made) {
+			if (this.made.size <= MOST_TILES) return;
+			bitmap?.close();
+			this.made.delete(name);
+		}
+	}
+	keepOnly(raster) {
+		if (this.of === raster) return;
+		this.of = raster;
+		for (const bitmap of this.made.values()) bitmap?.close();
+		this.made.clear();
+		this.wanted = [];
+	}
+};
+function partSeen(toCanvas, { width, height }, across, down) {
+	const back = inverse(toCanvas);
+	const corners = [
+		mapped(back, 0, 0),
+		mapped(back, across, 0),
+		mapped(back, 0, down),
+		mapped(back, across, down)
+	];
+	const [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
+	return [
+		Math.max(0, Math.min(...xs)),
+		Math.max(0, Math.min(...ys)),
+		Math.min(width, Math.max(...xs)),
+		Math.min(height, Math.max(...ys))
+	];
+}
+function tilesOf(level, [left, top, right, bottom], { width, height }) {
+	const side = 256 * 2 ** level;
+	const last = (length, end) => Math.min(Math.ceil(length / side), Math.ceil(end / side));
+	const tiles = [];
+	for (let row = Math.floor(top / side); row < last(height, bottom); row++) for (let column = Math.floor(left / side); column < last(width, right); column++) tiles.push({
+		level,
+		column,
+		row
+	});
+	return tiles;
+}
+function nameOf({ level, column, row }) {
+	return `${String(level)} ${String(column)} ${String(row)}`;
+}
+// www/block/view/images/place-crop.ts
+var PX = 3;
+var PlaceCrop = class {
+	frame;
+	store;
+	layers;
+	tiles;
+	constructor(frame, host, store, engine) {
+		this.frame = frame;
+		this.store = store;
+		this.tiles = new OrthophotoTiles((level, column, row) => engine.tile(level, column, row), () => this.layers.redraw());
+		this.layers = new Layers(host, ["picture"], (_, context) => this.paint(context));
+		store.watch([
+			"placing",
+			"shown",
+			"selection"
+		], () => {
+			frame.hidden = placeOnOrthophoto(store.state) === null;
+			this.layers.redraw();
+		});
+	}
+	paint(context) {
+		const place = placeOnOrthophoto(this.store.state);
+		const { orthophoto } = this.store.state.placing;
+		if (place === null || orthophoto === null || this.frame.hidden) return;
+		const { width, height, ratio } = this.layers;
+		const scale = PX / orthophoto.info.gsd;
+		const t = {
+			scale,
+			x: width / 2 - scale * place[0],
+			y: height / 2 + scale * place[1]
+		};
+		this.tiles.paint(context, orthophoto, SAME, t, [
+			width,
+			height,
+			ratio
+		]);
+		drawCross(context, [width / 2, height / 2], MEASURED.colour);
+	}
+};
 // www/block/panel/view.ts
 var KEYS_ID = "block-keys";
 // www/block/panel/images-view.ts
 var KEYS$3 = say("press-a-point-every-image");
-function imagesView(engine, facts, addImages, ready) {
+function imagesView(engine, placing, facts, addImages, ready) {
 	return {
 		name: "images",
 		title: say("images-2"),
@@ -9579,7 +10067,7 @@ function imagesView(engine, facts, addImages, ready) {
 			const element = h("div", {
 				class: "images-view",
 				tabindex: -1
-			}, h("div", { class: "image-scroll" }, host), h("div", { class: "image-said" }, point, place));
+			}, h("div", { class: "image-row" }, cropOf(store, placing), h("div", { class: "image-scroll" }, host)), h("div", { class: "image-said" }, point, place));
 			element.addEventListener("focus", () => host.focus());
 			const view = new ImagesView(host, store, looking, facts, engine);
 			mountFrames(host, view, store, addImages);
@@ -9604,6 +10092,21 @@ function imagesView(engine, facts, addImages, ready) {
 			};
 		}
 	};
+}
+function cropOf(store, placing) {
+	const picture = h("div", {
+		class: "view",
+		testid: "place-crop-picture",
+		role: "img",
+		aria: { label: say("the-place-on-the-orthophoto") }
+	});
+	const crop = h("div", {
+		class: "place-crop",
+		testid: "place-crop"
+	}, picture, h("p", { class: "ortho-name" }, say("orthophoto")));
+	crop.hidden = true;
+	new PlaceCrop(crop, picture, store, placing);
+	return crop;
 }
 function setText$1(element, text) {
 	if (element.textContent !== text) element.textContent = text;
@@ -9841,7 +10344,7 @@ function slider(label, testid, onChange) {
 	return h("label", { class: "choice" }, h("span", {}, label), input);
 }
 // www/shared/view/colours.ts
-var NAMES$1 = [
+var NAMES = [
 	"text",
 	"muted",
 	"line",
@@ -9860,7 +10363,7 @@ function themeColours() {
 function readColours() {
 	const probe = document.createElement("span");
 	document.body.append(probe);
-	const colours = Object.fromEntries(NAMES$1.map((name) => {
+	const colours = Object.fromEntries(NAMES.map((name) => {
 		probe.style.color = `var(--${name})`;
 		return [name, getComputedStyle(probe).color];
 	}));
@@ -9994,7 +10497,7 @@ function isSameBlock(before, after) {
 }
 // www/block/view/matrix.ts
 var LARGEST_WHOLE = 44;
-var LARGEST$1 = 160;
+var LARGEST = 160;
 var HEAD = 30;
 var NUMBERED = 30;
 var Matrix = class extends Chart {
@@ -10013,7 +10516,7 @@ var Matrix = class extends Chart {
 	limits(whole) {
 		return {
 			least: whole,
-			most: LARGEST$1
+			most: LARGEST
 		};
 	}
 	held({ images: { length } }, { scale, x, y }) {
@@ -10606,142 +11109,6 @@ function arrow(context, t, { x, y, dx, dy }, factor) {
 	context.lineTo(...end);
 	context.stroke();
 	return end;
-}
-// www/block/view/orthophoto/tiles.ts
-var MOST_TILES = 400;
-var AT_ONCE = 2;
-var OrthophotoTiles = class {
-	make;
-	arrived;
-	of = null;
-	made = new Map();
-	wanted = [];
-	asked = new Set();
-	constructor(make, arrived) {
-		this.make = make;
-		this.arrived = arrived;
-	}
-	paint(context, { raster, info }, toSystem, t, [width, height, ratio]) {
-		this.keepOnly(raster);
-		const toCanvas = after({
-			a: t.scale,
-			b: 0,
-			c: 0,
-			d: -t.scale,
-			e: t.x,
-			f: t.y
-		}, after(toSystem, affineOf(info.georeference)));
-		const coarsest = Math.max(0, Math.ceil(Math.log2(Math.max(info.width, info.height) / 512)));
-		const level = Math.min(coarsest, Math.max(0, Math.floor(Math.log2(1 / (scaleOf(toCanvas) * ratio)))));
-		const seen = partSeen(toCanvas, info, width, height);
-		context.save();
-		context.transform(toCanvas.a, toCanvas.b, toCanvas.c, toCanvas.d, toCanvas.e, toCanvas.f);
-		context.imageSmoothingEnabled = scaleOf(toCanvas) * ratio < 2 || level > 0;
-		const missing = tilesOf(coarsest, seen, info).filter((tile) => !this.made.has(nameOf(tile)));
-		for (const tile of tilesOf(level, seen, info)) {
-			if (level < coarsest && !this.made.has(nameOf(tile))) missing.push(tile);
-			this.paintTile(context, tile, coarsest, info);
-		}
-		context.restore();
-		this.ask(missing, seen);
-	}
-	paintTile(context, { level, column, row }, coarsest, { width, height }) {
-		const side = 256 * 2 ** level;
-		const [x, y] = [column * side, row * side];
-		for (let up = 0; level + up <= coarsest; up++) {
-			const name = nameOf({
-				level: level + up,
-				column: column >> up,
-				row: row >> up
-			});
-			const bitmap = this.made.get(name);
-			if (bitmap == null) continue;
-			this.made.delete(name);
-			this.made.set(name, bitmap);
-			const step = 2 ** (level + up);
-			const [left, top] = [x / step % 256, y / step % 256];
-			const across = Math.min(256 / 2 ** up, bitmap.width - left, Math.ceil((width - x) / step));
-			const down = Math.min(256 / 2 ** up, bitmap.height - top, Math.ceil((height - y) / step));
-			context.drawImage(bitmap, left, top, across, down, x, y, across * step, down * step);
-			return;
-		}
-	}
-	ask(missing, [left, top, right, bottom]) {
-		const [x, y] = [(left + right) / 2, (top + bottom) / 2];
-		const far = ({ level, column, row }) => {
-			const side = 256 * 2 ** level;
-			return Math.hypot((column + .5) * side - x, (row + .5) * side - y);
-		};
-		this.wanted = missing.sort((a, b) => b.level - a.level || far(a) - far(b));
-		this.next();
-	}
-	next() {
-		while (this.asked.size < AT_ONCE) {
-			const tile = this.wanted.find((candidate) => !this.asked.has(nameOf(candidate)));
-			if (tile === void 0) return;
-			this.wanted = this.wanted.filter((other) => other !== tile);
-			this.fetch(tile, this.of);
-		}
-	}
-	async fetch(tile, of) {
-		const name = nameOf(tile);
-		this.asked.add(name);
-		try {
-			const bitmap = await this.make(tile.level, tile.column, tile.row);
-			if (this.of === of) this.made.set(name, bitmap);
-			else bitmap.close();
-		} catch (error) {
-			if (this.of === of && !(error instanceof Cancelled)) this.made.set(name, null);
-		}
-		this.asked.delete(name);
-		this.forgetOldest();
-		this.next();
-		this.arrived();
-	}
-	forgetOldest() {
-		for (const [name, bitmap] of this.made) {
-			if (this.made.size <= MOST_TILES) return;
-			bitmap?.close();
-			this.made.delete(name);
-		}
-	}
-	keepOnly(raster) {
-		if (this.of === raster) return;
-		this.of = raster;
-		for (const bitmap of this.made.values()) bitmap?.close();
-		this.made.clear();
-		this.wanted = [];
-	}
-};
-function partSeen(toCanvas, { width, height }, across, down) {
-	const back = inverse(toCanvas);
-	const corners = [
-		mapped(back, 0, 0),
-		mapped(back, across, 0),
-		mapped(back, 0, down),
-		mapped(back, across, down)
-	];
-	const [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
-	return [
-		Math.max(0, Math.min(...xs)),
-		Math.max(0, Math.min(...ys)),
-		Math.min(width, Math.max(...xs)),
-		Math.min(height, Math.max(...ys))
-	];
-}
-function tilesOf(level, [left, top, right, bottom], { width, height }) {
-	const side = 256 * 2 ** level;
-	const last = (length, end) => Math.min(Math.ceil(length / side), Math.ceil(end / side));
-	const tiles = [];
-	for (let row = Math.floor(top / side); row < last(height, bottom); row++) for (let column = Math.floor(left / side); column < last(width, right); column++) tiles.push({
-		level,
-		column,
-		row
-	});
-	return tiles;
-}
-function nameOf({ level, column, row }) {
-	return `${String(level)} ${String(column)} ${String(row)}`;
 }
 // www/block/view/map/plan.ts
 var MARGIN = 62;
@@ -11905,145 +12272,6 @@ var PlaceHands = class {
 		}
 	}
 };
-// www/block/view/orthophoto/links.ts
-var LINK_STYLES = {
-	used: {
-		...ACCEPTED,
-		name: say("link-use", { use: "used" })
-	},
-	check: {
-		colour: CANDIDATE,
-		shape: SHAPES.square,
-		name: say("link-use", { use: "check" })
-	},
-	rejected: {
-		...REJECTED,
-		name: say("link-use", { use: "rejected" })
-	}
-};
-var STYLES = [...USES$1.map((use) => LINK_STYLES[use]), MEASURED];
-function useOf$1(code) {
-	return USES$1[code] ?? "used";
-}
-var REACH$2 = 12;
-function linksOnImage({ count, at, residuals, uses, byHand }) {
-	const points = new Float64Array(3 * count);
-	const vectors = new Float64Array(4 * count);
-	for (let i = 0; i < count; i++) {
-		const place = at.subarray(2 * i, 2 * i + 2);
-		points.set(place, 3 * i);
-		vectors.set(place, 4 * i);
-		vectors.set(residuals.subarray(2 * i, 2 * i + 2), 4 * i + 2);
-	}
-	return {
-		points,
-		box: spreadOf(points),
-		codes: codesOf(uses, byHand),
-		vectors
-	};
-}
-function linksOnGround({ places, uses, byHand }) {
-	return pointsOnGround(places, codesOf(uses, byHand));
-}
-function pointsOnGround(places, codes) {
-	const points = Float64Array.from(places, (value, i) => i % 3 === 0 ? value : i % 3 === 1 ? -value : 0);
-	return {
-		points,
-		box: spreadOf(points),
-		codes: Uint8Array.from(codes),
-		vectors: new Float64Array()
-	};
-}
-var BY_HAND$1 = USES$1.length;
-function codeOfUse(use, byHand) {
-	return use === "used" && byHand ? BY_HAND$1 : USES$1.indexOf(use);
-}
-function codesOf(uses, byHand) {
-	return uses.map((use, i) => use === 0 && byHand[i] === 1 ? BY_HAND$1 : use);
-}
-function spreadOf(points) {
-	const box = [
-		Infinity,
-		Infinity,
-		-Infinity,
-		-Infinity
-	];
-	for (let i = 0; i < points.length; i += 3) {
-		const [x = 0, y = 0] = points.subarray(i, i + 2);
-		box[0] = Math.min(box[0], x);
-		box[1] = Math.min(box[1], y);
-		box[2] = Math.max(box[2], x);
-		box[3] = Math.max(box[3], y);
-	}
-	return points.length === 0 ? [0, 0] : [box[2] - box[0], box[3] - box[1]];
-}
-function linkAt({ points, codes }, uses, t, x, y) {
-	let [found, least] = [-1, REACH$2];
-	for (let link = 0; 3 * link < points.length; link++) {
-		if (!uses.has(useOf$1(codes[link] ?? 0))) continue;
-		const [px, py] = toCanvas(t, points[3 * link] ?? 0, points[3 * link + 1] ?? 0);
-		const distance = Math.hypot(px - x, py - y);
-		if (distance < least) [found, least] = [link, distance];
-	}
-	return found;
-}
-function drawLinks(context, links, t, clip, uses) {
-	const half = markSize(links, t);
-	const styles = Float64Array.from(STYLES.flatMap(({ shape }, code) => [
-		shape,
-		code === BY_HAND$1 ? LARGEST : half,
-		Math.min(1.6, .6 + .35 * half)
-	]));
-	draw_points(context, links.points, shownCodes(links, uses), styles, STYLES.map(({ colour }) => colour), drawView(t, clip));
-}
-var [SMALLEST, LARGEST] = [1, 4.5];
-function markSize({ points, box: [width, height] }, { scale }) {
-	const apart = scale * Math.sqrt(width * height / Math.max(1, points.length / 3));
-	return Math.min(LARGEST, Math.max(SMALLEST, .3 * apart));
-}
-var NOT_DRAWN = 255;
-function shownCodes({ codes }, uses) {
-	const shown = STYLES.map((_, code) => uses.has(useOf$1(code)));
-	return codes.map((code) => shown[code] === true ? code : NOT_DRAWN);
-}
-function drawLinkResiduals(context, links, factor, t, clip, uses) {
-	draw_vectors(context, links.vectors, shownCodes(links, uses), Float64Array.of(1.2, 1.2, 1.2, 1.2), [
-		RESIDUAL,
-		CANDIDATE,
-		RESIDUAL_REJECTED,
-		RESIDUAL
-	], factor, drawView(t, clip));
-}
-function drawCross(context, [x, y], colour) {
-	context.save();
-	for (const [stroke, width] of [["rgb(0 0 0 / 0.6)", 4], [colour, 2]]) {
-		context.strokeStyle = stroke;
-		context.lineWidth = width;
-		context.beginPath();
-		for (const [dx, dy] of [[1, 0], [0, 1]]) {
-			context.moveTo(x - 12 * dx, y - 12 * dy);
-			context.lineTo(x - 3 * dx, y - 3 * dy);
-			context.moveTo(x + 3 * dx, y + 3 * dy);
-			context.lineTo(x + 12 * dx, y + 12 * dy);
-		}
-		context.stroke();
-	}
-	context.restore();
-}
-function drawRing(context, { points }, link, t, chosen) {
-	const [x, y] = points.subarray(3 * link, 3 * link + 2);
-	if (x === void 0 || y === void 0) return;
-	const [cx, cy] = toCanvas(t, x, y);
-	context.save();
-	for (const [colour, width] of [["rgb(0 0 0 / 0.6)", chosen ? 5 : 3.5], [SELECTED, chosen ? 2.5 : 1.5]]) {
-		context.strokeStyle = colour;
-		context.lineWidth = width;
-		context.beginPath();
-		context.arc(cx, cy, 10, 0, 2 * Math.PI);
-		context.stroke();
-	}
-	context.restore();
-}
 // www/block/view/orthophoto/picture.ts
 var EDGE$1 = 24;
 var SPARE = .96;
@@ -12108,6 +12336,7 @@ var LinkPicture = class {
 		if (box === null || width < 48 || height < 48) return;
 		const t = this.current(box);
 		const [x, y] = toCanvas(t, ...at);
+		if (this.moved === null && x >= 0 && y >= 0 && x <= width && y <= height) return;
 		const [dx, dy] = [into(x, width), into(y, height)];
 		if (dx !== 0 || dy !== 0) this.move(panned(t, dx, dy));
 	}
@@ -12950,111 +13179,6 @@ function boxOf(places) {
 		Math.max(...ys)
 	];
 }
-// www/block/files/placed.ts
-function placedCsv(names, placed) {
-	return placed_tables([...names], placed);
-}
-// www/block/panel/placing-exports.ts
-var EXPORT = "placed-export";
-var NAMES = {
-	placed: say("positions-placed-csv"),
-	links: say("links-links-csv"),
-	result: say("all-results-result-json"),
-	rectified: say("chosen-image-on-the-ground"),
-	all: say("all-images-on-the-ground")
-};
-function placingExports(store, engine) {
-	const select = h("select", {
-		testid: "placed-export-kind",
-		aria: { label: say("what-of-the-placed-images") }
-	});
-	const kinds = Object.keys(NAMES);
-	fill(select, ...kinds.map((kind) => new Option(NAMES[kind], kind)));
-	const press = button(say("save"), EXPORT, () => void savePlaced(store, engine, select.value));
-	const show = () => {
-		const needsChosen = select.value === "rectified";
-		const has = placedFiles(store.state).some(({ result }) => result !== null && (result.placement !== null || !needsChosen));
-		press.disabled = isBusy(store.state) || !has || needsChosen && (chosenPlaced(store.state)?.result?.placement ?? null) === null;
-	};
-	select.addEventListener("change", show);
-	store.watch([
-		"placing",
-		"files",
-		"running",
-		"notice"
-	], show);
-	return h("span", {
-		class: "placed-exports",
-		role: "group",
-		aria: { label: say("export-of-the-placed-images") }
-	}, select, press);
-}
-async function savePlaced(store, engine, kind, near = EXPORT) {
-	const tell = (sort, text, where = {}) => store.dispatch({
-		type: "notice",
-		notice: {
-			kind: sort,
-			text,
-			...where
-		}
-	});
-	tell("busy", say("writing", { names: NAMES[kind] }));
-	try {
-		const [content, name] = await made(store, engine, kind, (text) => tell("busy", text));
-		save(content, name);
-		tell("info", say("was-saved", { name }), { beside: true });
-	} catch (error) {
-		if (error instanceof Cancelled) tell("info", say("cancelled-nothing-was-saved"), { beside: true });
-		else tell("problem", say("nothing-was-saved", { sentence: sentence(messageOf(error)) }), { near });
-	}
-}
-async function made(store, engine, kind, tell) {
-	const tried = placedFiles(store.state).flatMap(({ file, result }) => result === null ? [] : [{
-		file,
-		result
-	}]);
-	const tables = () => placedCsv(tried.map(({ file }) => file.name), tried.map(({ result }) => inRows(result)));
-	const tiff = (bytes) => new Blob([bytes], { type: "image/tiff" });
-	switch (kind) {
-		case "placed": return [new Blob([tables().placed], { type: "text/csv" }), "placed.csv"];
-		case "links": return [new Blob([tables().links], { type: "text/csv" }), "links.csv"];
-		case "result": {
-			const { orthophoto } = store.state.placing;
-			const all = {
-				orthophoto: {
-					name: orthophoto?.raster.name ?? "",
-					...orthophoto?.info
-				},
-				images: tried.map(({ file, result }) => ({
-					name: file.name,
-					...inRows(result)
-				}))
-			};
-			return [new Blob([`${JSON.stringify(all, null, 1)}\n`], { type: "application/json" }), "result.json"];
-		}
-		case "rectified": {
-			const chosen = chosenPlaced(store.state);
-			if (chosen === null) throw new Error(say("no-image-is-chosen-2"));
-			return [tiff(await engine.rectified(chosen.file)), rectifiedName(chosen.file.name)];
-		}
-		case "all": {
-			const placed = tried.filter(({ result }) => result.placement !== null);
-			const archive = new Archive();
-			for (const [i, { file }] of placed.entries()) {
-				tell(say("resampling-to-the-ground-of", {
-					name: file.name,
-					i: i + 1,
-					placed: placed.length
-				}));
-				archive.add(rectifiedName(file.name), await engine.rectified(file), true);
-			}
-			return [archive.end(), "rectified.zip"];
-		}
-	}
-}
-function rectifiedName(name) {
-	return `${(name.split("/").at(-1) ?? name).replace(/\.[^.]*$/u, "")}-rectified.tif`;
-}
 // www/block/panel/placing-words.ts
 function verdictText({ result, problem }) {
 	if (result === null) return say("not-read", { problem: sentence(problem) });
@@ -13649,13 +13773,13 @@ function placedColumns(rows, said, unit) {
 		words("placed-why", say("why"), (i) => text(i, said), say("the-verdict-in-a-sentence"))
 	];
 }
-function linkColumns({ links: { at, places, residuals, uses } }, steps, done, unit) {
+function linkColumns({ links: { at, places, residuals, uses, byHand } }, steps, done, unit) {
 	return [
 		numbers("link", say("link"), "", 0, (i) => i + 1, say("number-of-the-link-press")),
 		words("link-use", say("use"), (i) => useWord({
 			steps,
 			done
-		}, i, USES$1[uses[i] ?? 0] ?? "used"), say("used-for-the-orientation-kept")),
+		}, i, USES$1[uses[i] ?? 0] ?? "used", byHand[i] === 1), say("used-for-the-orientation-kept")),
 		numbers("link-column", say("column"), "px", 2, (i) => at[2 * i], say("position-in-the-image-the")),
 		numbers("link-row", say("row-2"), "px", 2, (i) => at[2 * i + 1], say("position-in-the-image")),
 		numbers("link-x", "X", unit, 2, (i) => places[3 * i], say("place-on-the-orthophoto-2")),
@@ -13905,19 +14029,64 @@ var alongBlock = remember((view, plan) => {
 		about: [pointColumn(view, "point", (row) => rows[row], "")]
 	};
 });
+var SURVEYED_KINDS = [
+	{
+		key: "check",
+		label: say("check-point"),
+		mark: "square"
+	},
+	{
+		key: "left_out",
+		label: say("control-point-left-out"),
+		mark: "triangle"
+	},
+	{
+		key: "adjusted",
+		label: say("control-point-adjusted"),
+		mark: "outline"
+	}
+];
+var WITHIN_95 = 1.96;
 var surveyedPoints = remember(({ surveyed }, plan) => {
 	const used = surveyed.filter(({ isUsed }) => isUsed);
-	const names = used.map(({ name, role }) => `${name} (${role})`);
-	return ofPoints(Uint32Array.from(used, ({ point }) => point), {
-		label: say("point"),
-		unit: "",
-		values: Float64Array.from(used.keys()),
-		names
-	}, {
-		label: plan ? say("adjusted-minus-surveyed-place") : say("adjusted-minus-surveyed-height"),
-		unit: "m",
-		values: Float64Array.from(used, ({ difference_m: [x, y, z] }) => plan ? Math.hypot(x, y) : z)
-	}, true);
+	const judged = used.map(judgedOf);
+	const values = Float64Array.from(judged, (one) => plan ? planOf(one).length : one.difference[2] ?? NaN);
+	const errors = Float64Array.from(judged, (one) => plan ? planOf(one).error : one.errors[2] ?? NaN);
+	const ratio = (row) => (errors[row] ?? NaN) > 0 ? (values[row] ?? NaN) / (errors[row] ?? NaN) : NaN;
+	const groupOf = (row) => used[row]?.role === "check" ? "check" : judged[row]?.isLeftOut === true ? "left_out" : "adjusted";
+	const kinds = SURVEYED_KINDS.filter(({ key }) => used.some((_, row) => groupOf(row) === key));
+	const kindText = (row) => kinds.find(({ key }) => key === groupOf(row))?.label ?? "";
+	const role = (row) => sayNamed("role", { role: used[row]?.role ?? "check" });
+	return {
+		...ofPoints(Uint32Array.from(used, ({ point }) => point), {
+			label: say("point"),
+			unit: "",
+			values: Float64Array.from(used.keys()),
+			names: used.map(({ name }) => name)
+		}, {
+			label: plan ? say("adjusted-minus-surveyed-place") : say("adjusted-minus-surveyed-height"),
+			unit: "m",
+			values
+		}),
+		whiskers: {
+			from: values.map((value, row) => Math.max(plan ? 0 : -Infinity, value - WITHIN_95 * (errors[row] ?? NaN))),
+			to: values.map((value, row) => value + WITHIN_95 * (errors[row] ?? NaN))
+		},
+		groups: {
+			kinds,
+			of: (row) => kinds.findIndex(({ key }) => key === groupOf(row))
+		},
+		about: [words("use", say("use"), role, ""), words("kind", say("kind"), kindText, "")],
+		more: [numbers("sigma", "σ", "m", 4, (row) => errors[row], ""), numbers("ratio", "Δ/σ", "", 2, ratio, "")],
+		said: (row) => say("surveyed-value", {
+			name: used[row]?.name ?? "",
+			kind: kindText(row),
+			difference: values[row] ?? NaN,
+			error: errors[row] ?? NaN,
+			ratio: ratio(row),
+			known: Number.isNaN(ratio(row)) ? "no" : "yes"
+		})
+	};
 });
 var byRays = remember((view) => {
 	const { taking, rays: all } = view.points;
@@ -14066,10 +14235,60 @@ var ROOM = {
 	top: 14,
 	bottom: 40
 };
+var UPRIGHT = {
+	most: 96,
+	apart: 13
+};
+var BETWEEN = 8;
+var LEGEND = {
+	line: 16,
+	mark: 16,
+	between: 14
+};
+function laidOut({ x, groups, whiskers }, width, measure) {
+	const across = Math.max(1, width - ROOM.left - ROOM.right);
+	const widest = (x.names ?? []).reduce((most, name) => Math.max(most, measure(name)), 0);
+	const upright = x.names !== void 0 && widest + BETWEEN > across / Math.max(1, x.names.length);
+	const texts = groups === void 0 ? [] : [...groups.kinds.map(({ label }) => label), ...whiskers === void 0 ? [] : [say("whiskers-of-95")]];
+	let [at, line] = [0, 0];
+	const legend = texts.map((text, group) => {
+		const wide = LEGEND.mark + measure(text);
+		if (at > 0 && at + wide > across) [at, line] = [0, line + 1];
+		const entry = {
+			text,
+			group,
+			x: ROOM.left + at,
+			line
+		};
+		at += wide + LEGEND.between;
+		return entry;
+	});
+	const lines = legend.length === 0 ? 0 : line + 1;
+	return {
+		room: {
+			...ROOM,
+			top: ROOM.top + LEGEND.line * lines,
+			bottom: ROOM.bottom + (upright ? Math.min(UPRIGHT.most, widest) - 10 : 0)
+		},
+		upright,
+		legend
+	};
+}
+function namesWritten([from, to], names, apart) {
+	const needed = Math.ceil(UPRIGHT.apart / Math.max(1e-9, apart));
+	const step = needed % 2 === 0 ? needed + 1 : needed;
+	return Array.from(names.keys()).filter((at) => at % step === 0 && at >= from && at <= to);
+}
+var UPRIGHT_MOST = UPRIGHT.most;
 var BESIDE = .04;
-function endsOf({ x, y, bars, square }, width, height) {
+function endsOf({ x, y, bars, square, groups, whiskers }, width, height) {
 	const across = x.names === void 0 ? spread(x.values) : [-.5, Math.max(0, x.names.length - 1) + .5];
-	const up = spread(y.logarithmic === true ? y.values.map(Math.log10) : y.values, bars);
+	const values = whiskers === void 0 ? y.values : Float64Array.from([
+		...y.values,
+		...whiskers.from,
+		...whiskers.to
+	]);
+	const up = spread(y.logarithmic === true ? values.map(Math.log10) : values, bars || groups !== void 0);
 	if (!square) return {
 		x: across,
 		y: up
@@ -14144,6 +14363,8 @@ var LEAST_TICKS = 3;
 var FEW = 3e3;
 var FONT = "11px system-ui, sans-serif";
 var INSIDE = 4;
+var MARK = 4;
+var CAP = 3;
 var Plot = class extends Chart {
 	facts;
 	name = "images";
@@ -14229,13 +14450,17 @@ var Plot = class extends Chart {
 	command() {
 		return false;
 	}
-	area() {
+	laid(data) {
+		return laidWithin(data, this.layers.width);
+	}
+	area(data) {
 		const { width, height } = this.layers;
+		const { left, right, top, bottom } = this.laid(data).room;
 		return {
-			left: ROOM.left,
-			top: ROOM.top,
-			width: Math.max(1, width - ROOM.left - ROOM.right),
-			height: Math.max(1, height - ROOM.top - ROOM.bottom)
+			left,
+			top,
+			width: Math.max(1, width - left - right),
+			height: Math.max(1, height - top - bottom)
 		};
 	}
 	placing(data, t) {
@@ -14243,7 +14468,7 @@ var Plot = class extends Chart {
 		return (row) => at(data.x.values[row] ?? NaN, data.y.values[row] ?? NaN);
 	}
 	scaling(data, t) {
-		const { left, top, width, height } = this.area();
+		const { left, top, width, height } = this.area(data);
 		const ends = endsOf(data, this.layers.width, this.layers.height);
 		const [x0, across] = [ends.x[0], width / (ends.x[1] - ends.x[0])];
 		const [y0, up] = [ends.y[0], height / (ends.y[1] - ends.y[0])];
@@ -14252,7 +14477,7 @@ var Plot = class extends Chart {
 		return (x, y) => toCanvas(t, left + (x - x0) * across, upper(y));
 	}
 	seen(data, t) {
-		const { left, top, width, height } = this.area();
+		const { left, top, width, height } = this.area(data);
 		const ends = endsOf(data, this.layers.width, this.layers.height);
 		const value = (x, y) => {
 			const [u, v] = toPosition(t, x, y);
@@ -14273,10 +14498,11 @@ var Plot = class extends Chart {
 	}
 	nearest(data, t, x, y) {
 		const place = this.placing(data, t);
-		let [found, least] = [-1, data.bars ? this.barWidth(data, t) / 2 + 2 : REACH];
+		const alone = data.bars || data.groups !== void 0;
+		let [found, least] = [-1, alone ? this.barWidth(data, t) / 2 + 2 : REACH];
 		for (let row = 0; row < data.x.values.length; row++) {
 			const [px, py] = place(row);
-			const distance = data.bars ? Math.abs(px - x) : Math.hypot(px - x, py - y);
+			const distance = alone ? Math.abs(px - x) : Math.hypot(px - x, py - y);
 			if (distance <= least) [found, least] = [row, distance];
 		}
 		return found;
@@ -14285,8 +14511,9 @@ var Plot = class extends Chart {
 		const data = this.data();
 		context.font = FONT;
 		if (data === null || data.x.values.length === 0) return;
-		const area = this.area();
+		const area = this.area(data);
 		this.paintAxes(context, colours, data, t, area);
+		this.paintLegend(context, colours, data);
 		within(context, area, () => this.paintValues(context, colours, data, t, area));
 		if (this.outline?.to != null) {
 			const [[x0, y0], [x1, y1]] = [this.outline.from, this.outline.to];
@@ -14300,7 +14527,8 @@ var Plot = class extends Chart {
 		const at = this.scaling(data, t);
 		const seen = this.seen(data, t);
 		const { names } = data.x;
-		const across = ticksBetween(seen.x, width / APART.x).filter((tick) => names === void 0 || names[tick] !== void 0);
+		const { upright } = this.laid(data);
+		const across = names === void 0 ? ticksBetween(seen.x, width / APART.x) : namesWritten(seen.x, names, at(1, 0)[0] - at(0, 0)[0]);
 		const isLogarithmic = data.y.logarithmic === true;
 		const most = Math.max(LEAST_TICKS, height / APART.y);
 		const up = isLogarithmic ? ticksOfPowers(seen.y, most) : ticksBetween(seen.y, most);
@@ -14319,22 +14547,45 @@ var Plot = class extends Chart {
 		for (const tick of across) {
 			const [x] = at(tick, 0);
 			if (names === void 0) line(context, [x, top], [x, top + height]);
-			context.textAlign = "center";
-			context.fillText(shortened(context, names?.[tick] ?? fixed(tick, digitsX), APART.x - 8), x, top + height + 10);
+			if (upright) upwards(context, shortened(context, names?.[tick] ?? "", UPRIGHT_MOST), x, top + height + 6);
+			else {
+				context.textAlign = "center";
+				context.fillText(names?.[tick] ?? fixed(tick, digitsX), x, top + height + 10);
+			}
 		}
 		context.strokeStyle = colours.muted;
+		if (data.groups !== void 0) within(context, {
+			left,
+			top,
+			width,
+			height
+		}, () => line(context, [left, at(0, 0)[1]], [left + width, at(0, 0)[1]]));
 		context.strokeRect(left, top, width, height);
 		context.fillStyle = colours.text;
 		context.textAlign = "center";
 		const [titleX, titleY] = [titleOf(data.x), titleOf(data.y)];
 		const x = titleWithin(context.measureText(titleX).width, left + width / 2, this.layers.width);
-		context.fillText(titleX, x.middle, top + height + 28, x.most);
+		context.fillText(titleX, x.middle, this.layers.height - ROOM.bottom + 28, x.most);
 		const y = titleWithin(context.measureText(titleY).width, top + height / 2, this.layers.height);
 		context.save();
 		context.translate(12, y.middle);
 		context.rotate(-Math.PI / 2);
 		context.fillText(titleY, 0, 0, y.most);
 		context.restore();
+	}
+	paintLegend(context, colours, data) {
+		const { groups } = data;
+		if (groups === void 0) return;
+		for (const { text, group, x, line: below } of this.laid(data).legend) {
+			const [middle, y] = [x + 5, ROOM.top / 2 + 4 + below * LEGEND.line];
+			const mark = groups.kinds[group]?.mark;
+			if (mark === void 0) paintWhisker(context, colours.text, middle, y - 6, y + 6);
+			else paintMark(context, mark, colourOf(mark, colours), colours.surface, middle, y, MARK);
+			context.fillStyle = colours.text;
+			context.textAlign = "left";
+			context.textBaseline = "middle";
+			context.fillText(asSentence(text), x + LEGEND.mark, y);
+		}
 	}
 	paintValues(context, colours, data, t, area) {
 		const { chosen, pointed } = this.store.state.selection;
@@ -14344,9 +14595,17 @@ var Plot = class extends Chart {
 		const width = this.barWidth(data, t);
 		const base = data.bars ? this.base(data, t) : 0;
 		const half = rows <= FEW ? 2.5 : 1.5;
-		const draw = (row, larger) => {
+		const { groups, whiskers } = data;
+		const at = this.scaling(data, t);
+		const draw = (row, larger, colour) => {
 			const [x, y] = place(row);
-			if (data.bars) context.fillRect(x - width / 2, Math.min(y, base), width, Math.max(1, Math.abs(base - y)));
+			if (groups !== void 0) {
+				const mark = groups.kinds[groups.of(row)]?.mark ?? "square";
+				const own = colour ?? colourOf(mark, colours);
+				const [from, to] = [whiskers?.from[row] ?? NaN, whiskers?.to[row] ?? NaN];
+				if (!Number.isNaN(from)) paintWhisker(context, own, x, at(0, from)[1], at(0, to)[1]);
+				paintMark(context, mark, own, colours.surface, x, y, MARK + larger);
+			} else if (data.bars) context.fillRect(x - width / 2, Math.min(y, base), width, Math.max(1, Math.abs(base - y)));
 			else if (x > area.left - 4 && y > area.top - 4 && x < area.left + area.width + 4 && y < area.top + area.height + 4) context.fillRect(x - half - larger, y - half - larger, 2 * (half + larger), 2 * (half + larger));
 		};
 		if (data.equal === true) this.paintEqual(context, colours, data, t);
@@ -14355,7 +14614,7 @@ var Plot = class extends Chart {
 		context.fillStyle = colours.problem;
 		let under = -1;
 		for (let row = 0; row < rows; row++) {
-			if (chosen !== null && isChosen(row)) draw(row, 1);
+			if (chosen !== null && isChosen(row)) draw(row, 1, colours.problem);
 			if (under < 0 && pointed !== null && isPointed(row)) under = row;
 		}
 		context.strokeStyle = colours.problem;
@@ -14372,11 +14631,11 @@ var Plot = class extends Chart {
 		context.lineWidth = 1;
 		line(context, at(from, from), at(to, to));
 	}
-	paintValue(context, colours, { x, y }, row, [px, py], area) {
+	paintValue(context, colours, { x, y, said }, row, [px, py], area) {
 		const value = ({ unit, values, names }) => names?.[Math.round(values[row] ?? NaN)] ?? withUnit(figure(values[row] ?? NaN), unit);
-		const text = `${value(x)}: ${value(y)}`;
+		const text = said === void 0 ? `${value(x)}: ${value(y)}` : asSentence(said(row));
 		const wide = context.measureText(text).width + 12;
-		const left = Math.max(area.left, Math.min(px + 8, area.left + area.width - wide));
+		const left = Math.max(Math.min(area.left, this.layers.width - wide), 0, Math.min(px + 8, area.left + area.width - wide));
 		const top = Math.max(area.top, Math.min(py - 24, area.top + area.height - 20));
 		context.fillStyle = colours.surface;
 		context.fillRect(left, top, wide, 18);
@@ -14389,6 +14648,46 @@ var Plot = class extends Chart {
 		context.fillText(text, left + 6, top + 9);
 	}
 };
+function colourOf(mark, colours) {
+	return mark === "square" ? colours.text : colours.accent;
+}
+function paintMark(context, mark, colour, ground, x, y, half) {
+	context.beginPath();
+	if (mark === "square") context.rect(x - half, y - half, 2 * half, 2 * half);
+	else {
+		context.moveTo(x, y - half - 1);
+		context.lineTo(x + half + 1, y + half);
+		context.lineTo(x - half - 1, y + half);
+		context.closePath();
+	}
+	context.fillStyle = mark === "outline" ? ground : colour;
+	context.fill();
+	context.strokeStyle = colour;
+	context.lineWidth = 1;
+	context.stroke();
+}
+function paintWhisker(context, colour, x, from, to) {
+	context.strokeStyle = colour;
+	context.lineWidth = 1;
+	line(context, [x, from], [x, to]);
+	for (const end of [from, to]) line(context, [x - CAP, end], [x + CAP, end]);
+}
+function upwards(context, text, x, y) {
+	context.save();
+	context.translate(x, y);
+	context.rotate(-Math.PI / 2);
+	context.textAlign = "right";
+	context.fillText(text, 0, 0);
+	context.restore();
+}
+var ruler = null;
+function measured(text) {
+	ruler ??= document.createElement("canvas").getContext("2d");
+	if (ruler === null) return 0;
+	ruler.font = FONT;
+	return ruler.measureText(text).width;
+}
+var laidWithin = remember((data, width) => laidOut(data, width, measured));
 function line(context, from, to) {
 	context.beginPath();
 	context.moveTo(...from);
@@ -14493,7 +14792,8 @@ async function saveValues(plot, saved) {
 	save(new Blob([csvOf([
 		...data.about ?? [],
 		column(data.x),
-		column(data.y)
+		column(data.y),
+		...data.more ?? []
 	], data.x.values.keys(), await intoEnglish())], { type: "text/csv" }), name);
 	saved(name);
 }
@@ -14751,17 +15051,23 @@ function strays(title, testid, names, why) {
 function listOf(title, testid, texts) {
 	return texts.length === 0 ? null : section(title, testid, h("ul", {}, ...texts.map((text) => h("li", {}, text))));
 }
-function checkFact({ points, rmse_m: rmse, ratio }) {
-	return {
+function checkFacts({ points, rmse_m: rmse, mean_m: mean, ratio }) {
+	const ofAxes = (values) => values.map((value) => fixed(value, 3)).join(" ");
+	return [{
 		name: say("check-points-rmse"),
 		testid: "block-checks",
 		value: say("m-points", {
-			join: rmse.map((value) => fixed(value, 3)).join(" "),
+			join: ofAxes(rmse),
 			points,
 			what: ratio === null ? "" : say("predicted", { ratio })
 		}),
 		help: say("root-mean-square-difference-of")
-	};
+	}, {
+		name: say("check-points-mean"),
+		testid: "block-checks-mean",
+		value: say("mean-m", { join: ofAxes(mean) }),
+		help: say("mean-difference-of-check-points")
+	}];
 }
 function factsOf(view) {
 	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected");
@@ -14826,7 +15132,7 @@ function factsOf(view) {
 			}),
 			help: say("control-and-check-points-of-the")
 		}],
-		...view.checks === null ? [] : [checkFact(view.checks)],
+		...view.checks === null ? [] : checkFacts(view.checks),
 		{
 			name: "RMSE",
 			testid: "block-rmse",
@@ -15544,8 +15850,18 @@ function figuresOf(view) {
 		...view.sigma0Px === null ? [] : [{
 			value: say("px-2", { value: view.sigma0Px }),
 			label: say("precision")
-		}]
+		}],
+		...view.checks === null ? [] : [checkFigure(view.checks)]
 	];
+}
+function checkFigure({ points, plan_rmse_m: plan, height_rmse_m: height }) {
+	return {
+		value: say("plan-and-height-m", {
+			plan,
+			height
+		}),
+		label: say("rmse-of-check-points", { points })
+	};
 }
 function connectedPairs({ connections }) {
 	return connections.filter(({ outcome }) => outcome.kind === "connected").length;
@@ -15688,7 +16004,7 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	});
 	const facts = new Facts(store, engine);
 	let measures = null;
-	const images = imagesView(engine, facts, pick, (made) => {
+	const images = imagesView(engine, placing, facts, pick, (made) => {
 		measures = made;
 	});
 	const editLine = mountStage(stage, store, looking, facts, [

@@ -345,8 +345,8 @@ var OrthoMosaic = class OrthoMosaic {
 		wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 		return v1;
 	}
-	static open(project, heights, heights_sidecars, gsd, in_adjustment) {
-		const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, isLikeNone(gsd) ? 0 : addToExternrefTable0(gsd), isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
+	static open(project, heights, heights_sidecars, gsd, in_adjustment, images) {
+		const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, isLikeNone(gsd) ? 0 : addToExternrefTable0(gsd), isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0, isLikeNone(images) ? 0 : addToExternrefTable0(images));
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return OrthoMosaic.__wrap(ret[0]);
 	}
@@ -590,6 +590,9 @@ var Report = class {
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
+	verdict() {
+		return wasm.report_verdict(this.__wbg_ptr);
+	}
 };
 if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
 var Run = class {
@@ -751,6 +754,11 @@ function draw_vectors(context, vectors, codes, widths, colours, factor, view) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return ret[0] >>> 0;
 }
+function few_matches(matches) {
+	const ret = wasm.few_matches(matches);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
 function film_cameras(pattern, rules, given) {
 	const ret = wasm.film_cameras(pattern, rules, given);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -861,8 +869,8 @@ function pair_cameras(given, left, right) {
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
-function pair_hint(verdict, settings) {
-	const ret = wasm.pair_hint(verdict, settings);
+function pair_hint(verdict, settings, difference, offset) {
+	const ret = wasm.pair_hint(verdict, settings, difference, offset);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -2630,6 +2638,854 @@ function save(blob, name) {
 	link.click();
 	window.setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
 }
+// node_modules/fflate/esm/browser.js
+var u8 = Uint8Array;
+var u16 = Uint16Array;
+var i32 = Int32Array;
+var fleb = new u8([
+	0,
+	0,
+	0,
+	0,
+	0,
+	0,
+	0,
+	0,
+	1,
+	1,
+	1,
+	1,
+	2,
+	2,
+	2,
+	2,
+	3,
+	3,
+	3,
+	3,
+	4,
+	4,
+	4,
+	4,
+	5,
+	5,
+	5,
+	5,
+	0,
+	0,
+	0,
+	0
+]);
+var fdeb = new u8([
+	0,
+	0,
+	0,
+	0,
+	1,
+	1,
+	2,
+	2,
+	3,
+	3,
+	4,
+	4,
+	5,
+	5,
+	6,
+	6,
+	7,
+	7,
+	8,
+	8,
+	9,
+	9,
+	10,
+	10,
+	11,
+	11,
+	12,
+	12,
+	13,
+	13,
+	0,
+	0
+]);
+var clim = new u8([
+	16,
+	17,
+	18,
+	0,
+	8,
+	7,
+	9,
+	6,
+	10,
+	5,
+	11,
+	4,
+	12,
+	3,
+	13,
+	2,
+	14,
+	1,
+	15
+]);
+var freb = function(eb, start) {
+	var b = new u16(31);
+	for (var i = 0; i < 31; ++i) b[i] = start += 1 << eb[i - 1];
+	var r = new i32(b[30]);
+	for (var i = 1; i < 30; ++i) for (var j = b[i]; j < b[i + 1]; ++j) r[j] = j - b[i] << 5 | i;
+	return {
+		b,
+		r
+	};
+};
+var _a = freb(fleb, 2);
+var fl = _a.b;
+var revfl = _a.r;
+fl[28] = 258, revfl[258] = 28;
+var _b = freb(fdeb, 0);
+_b.b;
+var revfd = _b.r;
+var rev = new u16(32768);
+for (var i = 0; i < 32768; ++i) {
+	var x = (i & 43690) >> 1 | (i & 21845) << 1;
+	x = (x & 52428) >> 2 | (x & 13107) << 2;
+	x = (x & 61680) >> 4 | (x & 3855) << 4;
+	rev[i] = ((x & 65280) >> 8 | (x & 255) << 8) >> 1;
+}
+var hMap = (function(cd, mb, r) {
+	var s = cd.length;
+	var i = 0;
+	var l = new u16(mb);
+	for (; i < s; ++i) if (cd[i]) ++l[cd[i] - 1];
+	var le = new u16(mb);
+	for (i = 1; i < mb; ++i) le[i] = le[i - 1] + l[i - 1] << 1;
+	var co;
+	if (r) {
+		co = new u16(1 << mb);
+		var rvb = 15 - mb;
+		for (i = 0; i < s; ++i) if (cd[i]) {
+			var sv = i << 4 | cd[i];
+			var r_1 = mb - cd[i];
+			var v = le[cd[i] - 1]++ << r_1;
+			for (var m = v | (1 << r_1) - 1; v <= m; ++v) co[rev[v] >> rvb] = sv;
+		}
+	} else {
+		co = new u16(s);
+		for (i = 0; i < s; ++i) if (cd[i]) co[i] = rev[le[cd[i] - 1]++] >> 15 - cd[i];
+	}
+	return co;
+});
+var flt = new u8(288);
+for (var i = 0; i < 144; ++i) flt[i] = 8;
+for (var i = 144; i < 256; ++i) flt[i] = 9;
+for (var i = 256; i < 280; ++i) flt[i] = 7;
+for (var i = 280; i < 288; ++i) flt[i] = 8;
+var fdt = new u8(32);
+for (var i = 0; i < 32; ++i) fdt[i] = 5;
+var flm = hMap(flt, 9, 0);
+var fdm = hMap(fdt, 5, 0);
+var shft = function(p) {
+	return (p + 7) / 8 | 0;
+};
+var slc = function(v, s, e) {
+	if (s == null || s < 0) s = 0;
+	if (e == null || e > v.length) e = v.length;
+	return new u8(v.subarray(s, e));
+};
+var ec = [
+	"unexpected EOF",
+	"invalid block type",
+	"invalid length/literal",
+	"invalid distance",
+	"stream finished",
+	"no stream handler",
+	,
+	"no callback",
+	"invalid UTF-8 data",
+	"extra field too long",
+	"date not in range 1980-2099",
+	"filename too long",
+	"stream finishing",
+	"invalid zip data"
+];
+var err = function(ind, msg, nt) {
+	var e = new Error(msg || ec[ind]);
+	e.code = ind;
+	if (Error.captureStackTrace) Error.captureStackTrace(e, err);
+	if (!nt) throw e;
+	return e;
+};
+var wbits = function(d, p, v) {
+	v <<= p & 7;
+	var o = p / 8 | 0;
+	d[o] |= v;
+	d[o + 1] |= v >> 8;
+};
+var wbits16 = function(d, p, v) {
+	v <<= p & 7;
+	var o = p / 8 | 0;
+	d[o] |= v;
+	d[o + 1] |= v >> 8;
+	d[o + 2] |= v >> 16;
+};
+var hTree = function(d, mb) {
+	var t = [];
+	for (var i = 0; i < d.length; ++i) if (d[i]) t.push({
+		s: i,
+		f: d[i]
+	});
+	var s = t.length;
+	var t2 = t.slice();
+	if (!s) return {
+		t: et,
+		l: 0
+	};
+	if (s == 1) {
+		var v = new u8(t[0].s + 1);
+		v[t[0].s] = 1;
+		return {
+			t: v,
+			l: 1
+		};
+	}
+	t.sort(function(a, b) {
+		return a.f - b.f;
+	});
+	t.push({
+		s: -1,
+		f: 25001
+	});
+	var l = t[0], r = t[1], i0 = 0, i1 = 1, i2 = 2;
+	t[0] = {
+		s: -1,
+		f: l.f + r.f,
+		l,
+		r
+	};
+	while (i1 != s - 1) {
+		l = t[t[i0].f < t[i2].f ? i0++ : i2++];
+		r = t[i0 != i1 && t[i0].f < t[i2].f ? i0++ : i2++];
+		t[i1++] = {
+			s: -1,
+			f: l.f + r.f,
+			l,
+			r
+		};
+	}
+	var maxSym = t2[0].s;
+	for (var i = 1; i < s; ++i) if (t2[i].s > maxSym) maxSym = t2[i].s;
+	var tr = new u16(maxSym + 1);
+	var mbt = ln(t[i1 - 1], tr, 0);
+	if (mbt > mb) {
+		var i = 0, dt = 0;
+		var lft = mbt - mb, cst = 1 << lft;
+		t2.sort(function(a, b) {
+			return tr[b.s] - tr[a.s] || a.f - b.f;
+		});
+		for (; i < s; ++i) {
+			var i2_1 = t2[i].s;
+			if (tr[i2_1] > mb) {
+				dt += cst - (1 << mbt - tr[i2_1]);
+				tr[i2_1] = mb;
+			} else break;
+		}
+		dt >>= lft;
+		while (dt > 0) {
+			var i2_2 = t2[i].s;
+			if (tr[i2_2] < mb) dt -= 1 << mb - tr[i2_2]++ - 1;
+			else ++i;
+		}
+		for (; i >= 0 && dt; --i) {
+			var i2_3 = t2[i].s;
+			if (tr[i2_3] == mb) {
+				--tr[i2_3];
+				++dt;
+			}
+		}
+		mbt = mb;
+	}
+	return {
+		t: new u8(tr),
+		l: mbt
+	};
+};
+var ln = function(n, l, d) {
+	return n.s == -1 ? Math.max(ln(n.l, l, d + 1), ln(n.r, l, d + 1)) : l[n.s] = d;
+};
+var lc = function(c) {
+	var s = c.length;
+	while (s && !c[--s]);
+	var cl = new u16(++s);
+	var cli = 0, cln = c[0], cls = 1;
+	var w = function(v) {
+		cl[cli++] = v;
+	};
+	for (var i = 1; i <= s; ++i) if (c[i] == cln && i != s) ++cls;
+	else {
+		if (!cln && cls > 2) {
+			for (; cls > 138; cls -= 138) w(32754);
+			if (cls > 2) {
+				w(cls > 10 ? cls - 11 << 5 | 28690 : cls - 3 << 5 | 12305);
+				cls = 0;
+			}
+		} else if (cls > 3) {
+			w(cln), --cls;
+			for (; cls > 6; cls -= 6) w(8304);
+			if (cls > 2) w(cls - 3 << 5 | 8208), cls = 0;
+		}
+		while (cls--) w(cln);
+		cls = 1;
+		cln = c[i];
+	}
+	return {
+		c: cl.subarray(0, cli),
+		n: s
+	};
+};
+var clen = function(cf, cl) {
+	var l = 0;
+	for (var i = 0; i < cl.length; ++i) l += cf[i] * cl[i];
+	return l;
+};
+var wfblk = function(out, pos, dat) {
+	var s = dat.length;
+	var o = shft(pos + 2);
+	out[o] = s & 255;
+	out[o + 1] = s >> 8;
+	out[o + 2] = out[o] ^ 255;
+	out[o + 3] = out[o + 1] ^ 255;
+	for (var i = 0; i < s; ++i) out[o + i + 4] = dat[i];
+	return (o + 4 + s) * 8;
+};
+var wblk = function(dat, out, final, syms, lf, df, eb, li, bs, bl, p) {
+	wbits(out, p++, final);
+	++lf[256];
+	var _a = hTree(lf, 15), dlt = _a.t, mlb = _a.l;
+	var _b = hTree(df, 15), ddt = _b.t, mdb = _b.l;
+	var _c = lc(dlt), lclt = _c.c, nlc = _c.n;
+	var _d = lc(ddt), lcdt = _d.c, ndc = _d.n;
+	var lcfreq = new u16(19);
+	for (var i = 0; i < lclt.length; ++i) ++lcfreq[lclt[i] & 31];
+	for (var i = 0; i < lcdt.length; ++i) ++lcfreq[lcdt[i] & 31];
+	var _e = hTree(lcfreq, 7), lct = _e.t, mlcb = _e.l;
+	var nlcc = 19;
+	for (; nlcc > 4 && !lct[clim[nlcc - 1]]; --nlcc);
+	var flen = bl + 5 << 3;
+	var ftlen = clen(lf, flt) + clen(df, fdt) + eb;
+	var dtlen = clen(lf, dlt) + clen(df, ddt) + eb + 14 + 3 * nlcc + clen(lcfreq, lct) + 2 * lcfreq[16] + 3 * lcfreq[17] + 7 * lcfreq[18];
+	if (bs >= 0 && flen <= ftlen && flen <= dtlen) return wfblk(out, p, dat.subarray(bs, bs + bl));
+	var lm, ll, dm, dl;
+	wbits(out, p, 1 + (dtlen < ftlen)), p += 2;
+	if (dtlen < ftlen) {
+		lm = hMap(dlt, mlb, 0), ll = dlt, dm = hMap(ddt, mdb, 0), dl = ddt;
+		var llm = hMap(lct, mlcb, 0);
+		wbits(out, p, nlc - 257);
+		wbits(out, p + 5, ndc - 1);
+		wbits(out, p + 10, nlcc - 4);
+		p += 14;
+		for (var i = 0; i < nlcc; ++i) wbits(out, p + 3 * i, lct[clim[i]]);
+		p += 3 * nlcc;
+		var lcts = [lclt, lcdt];
+		for (var it = 0; it < 2; ++it) {
+			var clct = lcts[it];
+			for (var i = 0; i < clct.length; ++i) {
+				var len = clct[i] & 31;
+				wbits(out, p, llm[len]), p += lct[len];
+				if (len > 15) wbits(out, p, clct[i] >> 5 & 127), p += clct[i] >> 12;
+			}
+		}
+	} else lm = flm, ll = flt, dm = fdm, dl = fdt;
+	for (var i = 0; i < li; ++i) {
+		var sym = syms[i];
+		if (sym > 255) {
+			var len = sym >> 18 & 31;
+			wbits16(out, p, lm[len + 257]), p += ll[len + 257];
+			if (len > 7) wbits(out, p, sym >> 23 & 31), p += fleb[len];
+			var dst = sym & 31;
+			wbits16(out, p, dm[dst]), p += dl[dst];
+			if (dst > 3) wbits16(out, p, sym >> 5 & 8191), p += fdeb[dst];
+		} else wbits16(out, p, lm[sym]), p += ll[sym];
+	}
+	wbits16(out, p, lm[256]);
+	return p + ll[256];
+};
+var deo = new i32([
+	65540,
+	131080,
+	131088,
+	131104,
+	262176,
+	1048704,
+	1048832,
+	2114560,
+	2117632
+]);
+var et = new u8(0);
+var dflt = function(dat, lvl, plvl, pre, post, st) {
+	var s = st.z || dat.length;
+	var o = new u8(pre + s + 5 * (1 + Math.ceil(s / 7e3)) + post);
+	var w = o.subarray(pre, o.length - post);
+	var lst = st.l;
+	var pos = (st.r || 0) & 7;
+	if (lvl) {
+		if (pos) w[0] = st.r >> 3;
+		var opt = deo[lvl - 1];
+		var n = opt >> 13, c = opt & 8191;
+		var msk_1 = (1 << plvl) - 1;
+		var prev = st.p || new u16(32768), head = st.h || new u16(msk_1 + 1);
+		var bs1_1 = Math.ceil(plvl / 3), bs2_1 = 2 * bs1_1;
+		var hsh = function(i) {
+			return (dat[i] ^ dat[i + 1] << bs1_1 ^ dat[i + 2] << bs2_1) & msk_1;
+		};
+		var syms = new i32(25e3);
+		var lf = new u16(288), df = new u16(32);
+		var lc_1 = 0, eb = 0, i = st.i || 0, li = 0, wi = st.w || 0, bs = 0;
+		for (; i + 2 < s; ++i) {
+			var hv = hsh(i);
+			var imod = i & 32767, pimod = head[hv];
+			prev[imod] = pimod;
+			head[hv] = imod;
+			if (wi <= i) {
+				var rem = s - i;
+				if ((lc_1 > 7e3 || li > 24576) && (rem > 423 || !lst)) {
+					pos = wblk(dat, w, 0, syms, lf, df, eb, li, bs, i - bs, pos);
+					li = lc_1 = eb = 0, bs = i;
+					for (var j = 0; j < 286; ++j) lf[j] = 0;
+					for (var j = 0; j < 30; ++j) df[j] = 0;
+				}
+				var l = 2, d = 0, ch_1 = c, dif = imod - pimod & 32767;
+				if (rem > 2 && hv == hsh(i - dif)) {
+					var maxn = Math.min(n, rem) - 1;
+					var maxd = Math.min(32767, i);
+					var ml = Math.min(258, rem);
+					while (dif <= maxd && --ch_1 && imod != pimod) {
+						if (dat[i + l] == dat[i + l - dif]) {
+							var nl = 0;
+							for (; nl < ml && dat[i + nl] == dat[i + nl - dif]; ++nl);
+							if (nl > l) {
+								l = nl, d = dif;
+								if (nl > maxn) break;
+								var mmd = Math.min(dif, nl - 2);
+								var md = 0;
+								for (var j = 0; j < mmd; ++j) {
+									var ti = i - dif + j & 32767;
+									var cd = ti - prev[ti] & 32767;
+									if (cd > md) md = cd, pimod = ti;
+								}
+							}
+						}
+						imod = pimod, pimod = prev[imod];
+						dif += imod - pimod & 32767;
+					}
+				}
+				if (d) {
+					syms[li++] = 268435456 | revfl[l] << 18 | revfd[d];
+					var lin = revfl[l] & 31, din = revfd[d] & 31;
+					eb += fleb[lin] + fdeb[din];
+					++lf[257 + lin];
+					++df[din];
+					wi = i + l;
+					++lc_1;
+				} else {
+					syms[li++] = dat[i];
+					++lf[dat[i]];
+				}
+			}
+		}
+		for (i = Math.max(i, wi); i < s; ++i) {
+			syms[li++] = dat[i];
+			++lf[dat[i]];
+		}
+		pos = wblk(dat, w, lst, syms, lf, df, eb, li, bs, i - bs, pos);
+		if (!lst) {
+			st.r = pos & 7 | w[pos / 8 | 0] << 3;
+			pos -= 7;
+			st.h = head, st.p = prev, st.i = i, st.w = wi;
+		}
+	} else {
+		for (var i = st.w || 0; i < s + lst; i += 65535) {
+			var e = i + 65535;
+			if (e >= s) {
+				w[pos / 8 | 0] = lst;
+				e = s;
+			}
+			pos = wfblk(w, pos + 1, dat.subarray(i, e));
+		}
+		st.i = s;
+	}
+	return slc(o, 0, pre + shft(pos) + post);
+};
+var crct = (function() {
+	var t = new Int32Array(256);
+	for (var i = 0; i < 256; ++i) {
+		var c = i, k = 9;
+		while (--k) c = (c & 1 && -306674912) ^ c >>> 1;
+		t[i] = c;
+	}
+	return t;
+})();
+var crc = function() {
+	var c = -1;
+	return {
+		p: function(d) {
+			var cr = c;
+			for (var i = 0; i < d.length; ++i) cr = crct[cr & 255 ^ d[i]] ^ cr >>> 8;
+			c = cr;
+		},
+		d: function() {
+			return ~c;
+		}
+	};
+};
+var dopt = function(dat, opt, pre, post, st) {
+	if (!st) {
+		st = { l: 1 };
+		if (opt.dictionary) {
+			var dict = opt.dictionary.subarray(-32768);
+			var newDat = new u8(dict.length + dat.length);
+			newDat.set(dict);
+			newDat.set(dat, dict.length);
+			dat = newDat;
+			st.w = dict.length;
+		}
+	}
+	return dflt(dat, opt.level == null ? 6 : opt.level, opt.mem == null ? st.l ? Math.ceil(Math.max(8, Math.min(13, Math.log(dat.length))) * 1.5) : 20 : 12 + opt.mem, pre, post, st);
+};
+var mrg = function(a, b) {
+	var o = {};
+	for (var k in a) o[k] = a[k];
+	for (var k in b) o[k] = b[k];
+	return o;
+};
+var wbytes = function(d, b, v) {
+	for (; v; ++b) d[b] = v, v >>>= 8;
+};
+var Deflate = function() {
+	function Deflate(opts, cb) {
+		if (typeof opts == "function") cb = opts, opts = {};
+		this.ondata = cb;
+		this.o = opts || {};
+		this.s = {
+			l: 0,
+			i: 32768,
+			w: 32768,
+			z: 32768
+		};
+		this.b = new u8(98304);
+		if (this.o.dictionary) {
+			var dict = this.o.dictionary.subarray(-32768);
+			this.b.set(dict, 32768 - dict.length);
+			this.s.i = 32768 - dict.length;
+		}
+	}
+	Deflate.prototype.p = function(c, f) {
+		this.ondata(dopt(c, this.o, 0, 0, this.s), f);
+	};
+	Deflate.prototype.push = function(chunk, final) {
+		if (!this.ondata) err(5);
+		if (this.s.l) err(4);
+		var endLen = chunk.length + this.s.z;
+		if (endLen > this.b.length) {
+			if (endLen > 2 * this.b.length - 32768) {
+				var newBuf = new u8(endLen & -32768);
+				newBuf.set(this.b.subarray(0, this.s.z));
+				this.b = newBuf;
+			}
+			var split = this.b.length - this.s.z;
+			this.b.set(chunk.subarray(0, split), this.s.z);
+			this.s.z = this.b.length;
+			this.p(this.b, false);
+			this.b.set(this.b.subarray(-32768));
+			this.b.set(chunk.subarray(split), 32768);
+			this.s.z = chunk.length - split + 32768;
+			this.s.i = 32766, this.s.w = 32768;
+		} else {
+			this.b.set(chunk, this.s.z);
+			this.s.z += chunk.length;
+		}
+		this.s.l = final & 1;
+		if (this.s.z > this.s.w + 8191 || final) {
+			this.p(this.b, final || false);
+			this.s.w = this.s.i, this.s.i -= 2;
+		}
+		if (final) {
+			this.s = this.o = {};
+			this.b = et;
+		}
+	};
+	Deflate.prototype.flush = function(sync) {
+		if (!this.ondata) err(5);
+		if (this.s.l) err(4);
+		this.p(this.b, false);
+		this.s.w = this.s.i, this.s.i -= 2;
+		if (sync) {
+			var c = new u8(6);
+			c[0] = this.s.r >> 3;
+			var ep = wfblk(c, this.s.r, et);
+			this.s.r = 0;
+			this.ondata(c.subarray(0, ep >> 3), false);
+		}
+	};
+	return Deflate;
+}();
+var te = typeof TextEncoder != "undefined" && new TextEncoder();
+var td = typeof TextDecoder != "undefined" && new TextDecoder();
+try {
+	td.decode(et, { stream: true });
+} catch (e) {}
+function strToU8(str, latin1) {
+	if (latin1) {
+		var ar_1 = new u8(str.length);
+		for (var i = 0; i < str.length; ++i) ar_1[i] = str.charCodeAt(i);
+		return ar_1;
+	}
+	if (te) return te.encode(str);
+	var l = str.length;
+	var ar = new u8(str.length + (str.length >> 1));
+	var ai = 0;
+	var w = function(v) {
+		ar[ai++] = v;
+	};
+	for (var i = 0; i < l; ++i) {
+		if (ai + 5 > ar.length) {
+			var n = new u8(ai + 8 + (l - i << 1));
+			n.set(ar);
+			ar = n;
+		}
+		var c = str.charCodeAt(i);
+		if (c < 128 || latin1) w(c);
+		else if (c < 2048) w(192 | c >> 6), w(128 | c & 63);
+		else if (c > 55295 && c < 57344) c = 65536 + (c & 1047552) | str.charCodeAt(++i) & 1023, w(240 | c >> 18), w(128 | c >> 12 & 63), w(128 | c >> 6 & 63), w(128 | c & 63);
+		else w(224 | c >> 12), w(128 | c >> 6 & 63), w(128 | c & 63);
+	}
+	return slc(ar, 0, ai);
+}
+var dbf = function(l) {
+	return l == 1 ? 3 : l < 6 ? 2 : l == 9 ? 1 : 0;
+};
+var exfl = function(ex) {
+	var le = 0;
+	if (ex) for (var k in ex) {
+		var l = ex[k].length;
+		if (l > 65535) err(9);
+		le += l + 4;
+	}
+	return le;
+};
+var wzh = function(d, b, f, fn, u, c, ce, co) {
+	var fl = fn.length, ex = f.extra, col = co && co.length;
+	var exl = exfl(ex);
+	wbytes(d, b, ce != null ? 33639248 : 67324752), b += 4;
+	if (ce != null) d[b++] = 20, d[b++] = f.os;
+	d[b] = 20, b += 2;
+	d[b++] = f.flag << 1 | (c < 0 && 8), d[b++] = u && 8;
+	d[b++] = f.compression & 255, d[b++] = f.compression >> 8;
+	var dt = new Date(f.mtime == null ? Date.now() : f.mtime), y = dt.getFullYear() - 1980;
+	if (y < 0 || y > 119) err(10);
+	wbytes(d, b, y << 25 | dt.getMonth() + 1 << 21 | dt.getDate() << 16 | dt.getHours() << 11 | dt.getMinutes() << 5 | dt.getSeconds() >> 1), b += 4;
+	if (c != -1) {
+		wbytes(d, b, f.crc);
+		wbytes(d, b + 4, c < 0 ? -c - 2 : c);
+		wbytes(d, b + 8, f.size);
+	}
+	wbytes(d, b + 12, fl);
+	wbytes(d, b + 14, exl), b += 16;
+	if (ce != null) {
+		wbytes(d, b, col);
+		wbytes(d, b + 6, f.attrs);
+		wbytes(d, b + 10, ce), b += 14;
+	}
+	d.set(fn, b);
+	b += fl;
+	if (exl) for (var k in ex) {
+		var exf = ex[k], l = exf.length;
+		wbytes(d, b, +k);
+		wbytes(d, b + 2, l);
+		d.set(exf, b + 4), b += 4 + l;
+	}
+	if (col) d.set(co, b), b += col;
+	return b;
+};
+var wzf = function(o, b, c, d, e) {
+	wbytes(o, b, 101010256);
+	wbytes(o, b + 8, c);
+	wbytes(o, b + 10, c);
+	wbytes(o, b + 12, d);
+	wbytes(o, b + 16, e);
+};
+var ZipPassThrough = function() {
+	function ZipPassThrough(filename) {
+		this.filename = filename;
+		this.c = crc();
+		this.size = 0;
+		this.compression = 0;
+	}
+	ZipPassThrough.prototype.process = function(chunk, final) {
+		this.ondata(null, chunk, final);
+	};
+	ZipPassThrough.prototype.push = function(chunk, final) {
+		if (!this.ondata) err(5);
+		this.c.p(chunk);
+		this.size += chunk.length;
+		if (final) this.crc = this.c.d();
+		this.process(chunk, final || false);
+	};
+	return ZipPassThrough;
+}();
+var ZipDeflate = function() {
+	function ZipDeflate(filename, opts) {
+		var _this = this;
+		if (!opts) opts = {};
+		ZipPassThrough.call(this, filename);
+		this.d = new Deflate(opts, function(dat, final) {
+			_this.ondata(null, dat, final);
+		});
+		this.compression = 8;
+		this.flag = dbf(opts.level);
+	}
+	ZipDeflate.prototype.process = function(chunk, final) {
+		try {
+			this.d.push(chunk, final);
+		} catch (e) {
+			this.ondata(e, null, final);
+		}
+	};
+	ZipDeflate.prototype.push = function(chunk, final) {
+		ZipPassThrough.prototype.push.call(this, chunk, final);
+	};
+	return ZipDeflate;
+}();
+var Zip = function() {
+	function Zip(cb) {
+		this.ondata = cb;
+		this.u = [];
+		this.d = 1;
+	}
+	Zip.prototype.add = function(file) {
+		var _this = this;
+		if (!this.ondata) err(5);
+		if (this.d & 2) this.ondata(err(4 + (this.d & 1) * 8, 0, 1), null, false);
+		else {
+			var f = strToU8(file.filename), fl_1 = f.length;
+			var com = file.comment, o = com && strToU8(com);
+			var u = fl_1 != file.filename.length || o && com.length != o.length;
+			var hl_1 = fl_1 + exfl(file.extra) + 30;
+			if (fl_1 > 65535) this.ondata(err(11, 0, 1), null, false);
+			var header = new u8(hl_1);
+			wzh(header, 0, file, f, u, -1);
+			var chks_1 = [header];
+			var pAll_1 = function() {
+				for (var _i = 0, chks_2 = chks_1; _i < chks_2.length; _i++) {
+					var chk = chks_2[_i];
+					_this.ondata(null, chk, false);
+				}
+				chks_1 = [];
+			};
+			var tr_1 = this.d;
+			this.d = 0;
+			var ind_1 = this.u.length;
+			var uf_1 = mrg(file, {
+				f,
+				u,
+				o,
+				t: function() {
+					if (file.terminate) file.terminate();
+				},
+				r: function() {
+					pAll_1();
+					if (tr_1) {
+						var nxt = _this.u[ind_1 + 1];
+						if (nxt) nxt.r();
+						else _this.d = 1;
+					}
+					tr_1 = 1;
+				}
+			});
+			var cl_1 = 0;
+			file.ondata = function(err, dat, final) {
+				if (err) {
+					_this.ondata(err, dat, final);
+					_this.terminate();
+				} else {
+					cl_1 += dat.length;
+					chks_1.push(dat);
+					if (final) {
+						var dd = new u8(16);
+						wbytes(dd, 0, 134695760);
+						wbytes(dd, 4, file.crc);
+						wbytes(dd, 8, cl_1);
+						wbytes(dd, 12, file.size);
+						chks_1.push(dd);
+						uf_1.c = cl_1, uf_1.b = hl_1 + cl_1 + 16, uf_1.crc = file.crc, uf_1.size = file.size;
+						if (tr_1) uf_1.r();
+						tr_1 = 1;
+					} else if (tr_1) pAll_1();
+				}
+			};
+			this.u.push(uf_1);
+		}
+	};
+	Zip.prototype.end = function() {
+		var _this = this;
+		if (this.d & 2) {
+			this.ondata(err(4 + (this.d & 1) * 8, 0, 1), null, true);
+			return;
+		}
+		if (this.d) this.e();
+		else this.u.push({
+			r: function() {
+				if (!(_this.d & 1)) return;
+				_this.u.splice(-1, 1);
+				_this.e();
+			},
+			t: function() {}
+		});
+		this.d = 3;
+	};
+	Zip.prototype.e = function() {
+		var bt = 0, l = 0, tl = 0;
+		for (var _i = 0, _a = this.u; _i < _a.length; _i++) {
+			var f = _a[_i];
+			tl += 46 + f.f.length + exfl(f.extra) + (f.o ? f.o.length : 0);
+		}
+		var out = new u8(tl + 22);
+		for (var _b = 0, _c = this.u; _b < _c.length; _b++) {
+			var f = _c[_b];
+			wzh(out, bt, f, f.f, f.u, -f.c - 2, l, f.o);
+			bt += 46 + f.f.length + exfl(f.extra) + (f.o ? f.o.length : 0), l += f.b;
+		}
+		wzf(out, bt, this.u.length, tl, l);
+		this.ondata(null, out, true);
+		this.d = 2;
+	};
+	Zip.prototype.terminate = function() {
+		for (var _i = 0, _a = this.u; _i < _a.length; _i++) _a[_i].t();
+		this.d = 2;
+	};
+	return Zip;
+}();
+// www/shared/engine/archive.ts
+var ARCHIVE_TIME = "1980-01-01T00:00:00";
+var Archive = class {
+	chunks = [];
+	zip = new Zip((error, chunk) => {
+		if (error !== null) throw error;
+		this.chunks.push(chunk);
+	});
+	add(name, content, compressed) {
+		const entry = compressed ? new ZipPassThrough(name) : new ZipDeflate(name, { level: 6 });
+		entry.mtime = ARCHIVE_TIME;
+		this.zip.add(entry);
+		entry.push(content, true);
+	}
+	end() {
+		this.zip.end();
+		return new Blob(this.chunks, { type: "application/zip" });
+	}
+};
 // pkg/block/image-files.js
 var IMAGE_FILE = /\.(?:jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/iu;
 // www/shared/files/leaving.ts
@@ -3641,14 +4497,24 @@ var Table = class {
 		if (this.bar === null) return;
 		const fewer = this.shown.length < this.count;
 		this.bar.say(this.shown.length, this.count, filtered || fewer, filtered || fewer && this.options.showAll !== void 0);
-		const cells = this.columns.map((column) => {
+		const parts = this.columns.flatMap((column) => (column.parts ?? []).map((part) => ({
+			column,
+			part,
+			rows: this.shown.filter(part.has)
+		})));
+		const lines = parts.length === 0 ? [this.totals(this.shown)] : parts.filter(({ rows }) => rows.length > 0).map((of) => this.totals(of.rows, of));
+		fill(this.table.foot, ...lines.filter((cells) => cells.some((cell) => cell.textContent !== "")).map((cells) => h("tr", {}, ...cells)));
+	}
+	totals(rows, named = null) {
+		return this.columns.map((column) => {
 			const { total, value, text } = column;
-			if (total === void 0 || this.shown.length === 0) return h("td", {});
-			const number = totalOf(column, this.shown);
-			const digits = Math.max(total === "sum" ? 0 : 1, ...[...this.shown.subarray(0, 20)].filter((row) => !Number.isNaN(value(row))).map((row) => decimals(text(row))));
+			if (column === named?.column) return h("td", {}, named.part.label);
+			if (total === void 0 || rows.length === 0) return h("td", {});
+			const number = totalOf(column, rows);
+			if (named !== null && Number.isNaN(number)) return h("td", {});
+			const digits = Math.max(total === "sum" ? 0 : 1, ...[...rows.subarray(0, 20)].filter((row) => !Number.isNaN(value(row))).map((row) => decimals(text(row))));
 			return h("td", { class: "number" }, h("span", { class: "unit" }, `${TOTALS[total]} `), digits === 0 ? count(Number.isNaN(number) ? null : Math.round(number)) : fixed(number, digits));
 		});
-		fill(this.table.foot, cells.every((cell) => cell.textContent === "") ? null : h("tr", {}, ...cells));
 	}
 	row(row, place) {
 		const { testid, choose, isChosen, point } = this.options;
@@ -4571,854 +5437,6 @@ var PointGrid = class {
 		return [clamp(centre - radius), clamp(centre + radius)];
 	}
 };
-// node_modules/fflate/esm/browser.js
-var u8 = Uint8Array;
-var u16 = Uint16Array;
-var i32 = Int32Array;
-var fleb = new u8([
-	0,
-	0,
-	0,
-	0,
-	0,
-	0,
-	0,
-	0,
-	1,
-	1,
-	1,
-	1,
-	2,
-	2,
-	2,
-	2,
-	3,
-	3,
-	3,
-	3,
-	4,
-	4,
-	4,
-	4,
-	5,
-	5,
-	5,
-	5,
-	0,
-	0,
-	0,
-	0
-]);
-var fdeb = new u8([
-	0,
-	0,
-	0,
-	0,
-	1,
-	1,
-	2,
-	2,
-	3,
-	3,
-	4,
-	4,
-	5,
-	5,
-	6,
-	6,
-	7,
-	7,
-	8,
-	8,
-	9,
-	9,
-	10,
-	10,
-	11,
-	11,
-	12,
-	12,
-	13,
-	13,
-	0,
-	0
-]);
-var clim = new u8([
-	16,
-	17,
-	18,
-	0,
-	8,
-	7,
-	9,
-	6,
-	10,
-	5,
-	11,
-	4,
-	12,
-	3,
-	13,
-	2,
-	14,
-	1,
-	15
-]);
-var freb = function(eb, start) {
-	var b = new u16(31);
-	for (var i = 0; i < 31; ++i) b[i] = start += 1 << eb[i - 1];
-	var r = new i32(b[30]);
-	for (var i = 1; i < 30; ++i) for (var j = b[i]; j < b[i + 1]; ++j) r[j] = j - b[i] << 5 | i;
-	return {
-		b,
-		r
-	};
-};
-var _a = freb(fleb, 2);
-var fl = _a.b;
-var revfl = _a.r;
-fl[28] = 258, revfl[258] = 28;
-var _b = freb(fdeb, 0);
-_b.b;
-var revfd = _b.r;
-var rev = new u16(32768);
-for (var i = 0; i < 32768; ++i) {
-	var x = (i & 43690) >> 1 | (i & 21845) << 1;
-	x = (x & 52428) >> 2 | (x & 13107) << 2;
-	x = (x & 61680) >> 4 | (x & 3855) << 4;
-	rev[i] = ((x & 65280) >> 8 | (x & 255) << 8) >> 1;
-}
-var hMap = (function(cd, mb, r) {
-	var s = cd.length;
-	var i = 0;
-	var l = new u16(mb);
-	for (; i < s; ++i) if (cd[i]) ++l[cd[i] - 1];
-	var le = new u16(mb);
-	for (i = 1; i < mb; ++i) le[i] = le[i - 1] + l[i - 1] << 1;
-	var co;
-	if (r) {
-		co = new u16(1 << mb);
-		var rvb = 15 - mb;
-		for (i = 0; i < s; ++i) if (cd[i]) {
-			var sv = i << 4 | cd[i];
-			var r_1 = mb - cd[i];
-			var v = le[cd[i] - 1]++ << r_1;
-			for (var m = v | (1 << r_1) - 1; v <= m; ++v) co[rev[v] >> rvb] = sv;
-		}
-	} else {
-		co = new u16(s);
-		for (i = 0; i < s; ++i) if (cd[i]) co[i] = rev[le[cd[i] - 1]++] >> 15 - cd[i];
-	}
-	return co;
-});
-var flt = new u8(288);
-for (var i = 0; i < 144; ++i) flt[i] = 8;
-for (var i = 144; i < 256; ++i) flt[i] = 9;
-for (var i = 256; i < 280; ++i) flt[i] = 7;
-for (var i = 280; i < 288; ++i) flt[i] = 8;
-var fdt = new u8(32);
-for (var i = 0; i < 32; ++i) fdt[i] = 5;
-var flm = hMap(flt, 9, 0);
-var fdm = hMap(fdt, 5, 0);
-var shft = function(p) {
-	return (p + 7) / 8 | 0;
-};
-var slc = function(v, s, e) {
-	if (s == null || s < 0) s = 0;
-	if (e == null || e > v.length) e = v.length;
-	return new u8(v.subarray(s, e));
-};
-var ec = [
-	"unexpected EOF",
-	"invalid block type",
-	"invalid length/literal",
-	"invalid distance",
-	"stream finished",
-	"no stream handler",
-	,
-	"no callback",
-	"invalid UTF-8 data",
-	"extra field too long",
-	"date not in range 1980-2099",
-	"filename too long",
-	"stream finishing",
-	"invalid zip data"
-];
-var err = function(ind, msg, nt) {
-	var e = new Error(msg || ec[ind]);
-	e.code = ind;
-	if (Error.captureStackTrace) Error.captureStackTrace(e, err);
-	if (!nt) throw e;
-	return e;
-};
-var wbits = function(d, p, v) {
-	v <<= p & 7;
-	var o = p / 8 | 0;
-	d[o] |= v;
-	d[o + 1] |= v >> 8;
-};
-var wbits16 = function(d, p, v) {
-	v <<= p & 7;
-	var o = p / 8 | 0;
-	d[o] |= v;
-	d[o + 1] |= v >> 8;
-	d[o + 2] |= v >> 16;
-};
-var hTree = function(d, mb) {
-	var t = [];
-	for (var i = 0; i < d.length; ++i) if (d[i]) t.push({
-		s: i,
-		f: d[i]
-	});
-	var s = t.length;
-	var t2 = t.slice();
-	if (!s) return {
-		t: et,
-		l: 0
-	};
-	if (s == 1) {
-		var v = new u8(t[0].s + 1);
-		v[t[0].s] = 1;
-		return {
-			t: v,
-			l: 1
-		};
-	}
-	t.sort(function(a, b) {
-		return a.f - b.f;
-	});
-	t.push({
-		s: -1,
-		f: 25001
-	});
-	var l = t[0], r = t[1], i0 = 0, i1 = 1, i2 = 2;
-	t[0] = {
-		s: -1,
-		f: l.f + r.f,
-		l,
-		r
-	};
-	while (i1 != s - 1) {
-		l = t[t[i0].f < t[i2].f ? i0++ : i2++];
-		r = t[i0 != i1 && t[i0].f < t[i2].f ? i0++ : i2++];
-		t[i1++] = {
-			s: -1,
-			f: l.f + r.f,
-			l,
-			r
-		};
-	}
-	var maxSym = t2[0].s;
-	for (var i = 1; i < s; ++i) if (t2[i].s > maxSym) maxSym = t2[i].s;
-	var tr = new u16(maxSym + 1);
-	var mbt = ln(t[i1 - 1], tr, 0);
-	if (mbt > mb) {
-		var i = 0, dt = 0;
-		var lft = mbt - mb, cst = 1 << lft;
-		t2.sort(function(a, b) {
-			return tr[b.s] - tr[a.s] || a.f - b.f;
-		});
-		for (; i < s; ++i) {
-			var i2_1 = t2[i].s;
-			if (tr[i2_1] > mb) {
-				dt += cst - (1 << mbt - tr[i2_1]);
-				tr[i2_1] = mb;
-			} else break;
-		}
-		dt >>= lft;
-		while (dt > 0) {
-			var i2_2 = t2[i].s;
-			if (tr[i2_2] < mb) dt -= 1 << mb - tr[i2_2]++ - 1;
-			else ++i;
-		}
-		for (; i >= 0 && dt; --i) {
-			var i2_3 = t2[i].s;
-			if (tr[i2_3] == mb) {
-				--tr[i2_3];
-				++dt;
-			}
-		}
-		mbt = mb;
-	}
-	return {
-		t: new u8(tr),
-		l: mbt
-	};
-};
-var ln = function(n, l, d) {
-	return n.s == -1 ? Math.max(ln(n.l, l, d + 1), ln(n.r, l, d + 1)) : l[n.s] = d;
-};
-var lc = function(c) {
-	var s = c.length;
-	while (s && !c[--s]);
-	var cl = new u16(++s);
-	var cli = 0, cln = c[0], cls = 1;
-	var w = function(v) {
-		cl[cli++] = v;
-	};
-	for (var i = 1; i <= s; ++i) if (c[i] == cln && i != s) ++cls;
-	else {
-		if (!cln && cls > 2) {
-			for (; cls > 138; cls -= 138) w(32754);
-			if (cls > 2) {
-				w(cls > 10 ? cls - 11 << 5 | 28690 : cls - 3 << 5 | 12305);
-				cls = 0;
-			}
-		} else if (cls > 3) {
-			w(cln), --cls;
-			for (; cls > 6; cls -= 6) w(8304);
-			if (cls > 2) w(cls - 3 << 5 | 8208), cls = 0;
-		}
-		while (cls--) w(cln);
-		cls = 1;
-		cln = c[i];
-	}
-	return {
-		c: cl.subarray(0, cli),
-		n: s
-	};
-};
-var clen = function(cf, cl) {
-	var l = 0;
-	for (var i = 0; i < cl.length; ++i) l += cf[i] * cl[i];
-	return l;
-};
-var wfblk = function(out, pos, dat) {
-	var s = dat.length;
-	var o = shft(pos + 2);
-	out[o] = s & 255;
-	out[o + 1] = s >> 8;
-	out[o + 2] = out[o] ^ 255;
-	out[o + 3] = out[o + 1] ^ 255;
-	for (var i = 0; i < s; ++i) out[o + i + 4] = dat[i];
-	return (o + 4 + s) * 8;
-};
-var wblk = function(dat, out, final, syms, lf, df, eb, li, bs, bl, p) {
-	wbits(out, p++, final);
-	++lf[256];
-	var _a = hTree(lf, 15), dlt = _a.t, mlb = _a.l;
-	var _b = hTree(df, 15), ddt = _b.t, mdb = _b.l;
-	var _c = lc(dlt), lclt = _c.c, nlc = _c.n;
-	var _d = lc(ddt), lcdt = _d.c, ndc = _d.n;
-	var lcfreq = new u16(19);
-	for (var i = 0; i < lclt.length; ++i) ++lcfreq[lclt[i] & 31];
-	for (var i = 0; i < lcdt.length; ++i) ++lcfreq[lcdt[i] & 31];
-	var _e = hTree(lcfreq, 7), lct = _e.t, mlcb = _e.l;
-	var nlcc = 19;
-	for (; nlcc > 4 && !lct[clim[nlcc - 1]]; --nlcc);
-	var flen = bl + 5 << 3;
-	var ftlen = clen(lf, flt) + clen(df, fdt) + eb;
-	var dtlen = clen(lf, dlt) + clen(df, ddt) + eb + 14 + 3 * nlcc + clen(lcfreq, lct) + 2 * lcfreq[16] + 3 * lcfreq[17] + 7 * lcfreq[18];
-	if (bs >= 0 && flen <= ftlen && flen <= dtlen) return wfblk(out, p, dat.subarray(bs, bs + bl));
-	var lm, ll, dm, dl;
-	wbits(out, p, 1 + (dtlen < ftlen)), p += 2;
-	if (dtlen < ftlen) {
-		lm = hMap(dlt, mlb, 0), ll = dlt, dm = hMap(ddt, mdb, 0), dl = ddt;
-		var llm = hMap(lct, mlcb, 0);
-		wbits(out, p, nlc - 257);
-		wbits(out, p + 5, ndc - 1);
-		wbits(out, p + 10, nlcc - 4);
-		p += 14;
-		for (var i = 0; i < nlcc; ++i) wbits(out, p + 3 * i, lct[clim[i]]);
-		p += 3 * nlcc;
-		var lcts = [lclt, lcdt];
-		for (var it = 0; it < 2; ++it) {
-			var clct = lcts[it];
-			for (var i = 0; i < clct.length; ++i) {
-				var len = clct[i] & 31;
-				wbits(out, p, llm[len]), p += lct[len];
-				if (len > 15) wbits(out, p, clct[i] >> 5 & 127), p += clct[i] >> 12;
-			}
-		}
-	} else lm = flm, ll = flt, dm = fdm, dl = fdt;
-	for (var i = 0; i < li; ++i) {
-		var sym = syms[i];
-		if (sym > 255) {
-			var len = sym >> 18 & 31;
-			wbits16(out, p, lm[len + 257]), p += ll[len + 257];
-			if (len > 7) wbits(out, p, sym >> 23 & 31), p += fleb[len];
-			var dst = sym & 31;
-			wbits16(out, p, dm[dst]), p += dl[dst];
-			if (dst > 3) wbits16(out, p, sym >> 5 & 8191), p += fdeb[dst];
-		} else wbits16(out, p, lm[sym]), p += ll[sym];
-	}
-	wbits16(out, p, lm[256]);
-	return p + ll[256];
-};
-var deo = new i32([
-	65540,
-	131080,
-	131088,
-	131104,
-	262176,
-	1048704,
-	1048832,
-	2114560,
-	2117632
-]);
-var et = new u8(0);
-var dflt = function(dat, lvl, plvl, pre, post, st) {
-	var s = st.z || dat.length;
-	var o = new u8(pre + s + 5 * (1 + Math.ceil(s / 7e3)) + post);
-	var w = o.subarray(pre, o.length - post);
-	var lst = st.l;
-	var pos = (st.r || 0) & 7;
-	if (lvl) {
-		if (pos) w[0] = st.r >> 3;
-		var opt = deo[lvl - 1];
-		var n = opt >> 13, c = opt & 8191;
-		var msk_1 = (1 << plvl) - 1;
-		var prev = st.p || new u16(32768), head = st.h || new u16(msk_1 + 1);
-		var bs1_1 = Math.ceil(plvl / 3), bs2_1 = 2 * bs1_1;
-		var hsh = function(i) {
-			return (dat[i] ^ dat[i + 1] << bs1_1 ^ dat[i + 2] << bs2_1) & msk_1;
-		};
-		var syms = new i32(25e3);
-		var lf = new u16(288), df = new u16(32);
-		var lc_1 = 0, eb = 0, i = st.i || 0, li = 0, wi = st.w || 0, bs = 0;
-		for (; i + 2 < s; ++i) {
-			var hv = hsh(i);
-			var imod = i & 32767, pimod = head[hv];
-			prev[imod] = pimod;
-			head[hv] = imod;
-			if (wi <= i) {
-				var rem = s - i;
-				if ((lc_1 > 7e3 || li > 24576) && (rem > 423 || !lst)) {
-					pos = wblk(dat, w, 0, syms, lf, df, eb, li, bs, i - bs, pos);
-					li = lc_1 = eb = 0, bs = i;
-					for (var j = 0; j < 286; ++j) lf[j] = 0;
-					for (var j = 0; j < 30; ++j) df[j] = 0;
-				}
-				var l = 2, d = 0, ch_1 = c, dif = imod - pimod & 32767;
-				if (rem > 2 && hv == hsh(i - dif)) {
-					var maxn = Math.min(n, rem) - 1;
-					var maxd = Math.min(32767, i);
-					var ml = Math.min(258, rem);
-					while (dif <= maxd && --ch_1 && imod != pimod) {
-						if (dat[i + l] == dat[i + l - dif]) {
-							var nl = 0;
-							for (; nl < ml && dat[i + nl] == dat[i + nl - dif]; ++nl);
-							if (nl > l) {
-								l = nl, d = dif;
-								if (nl > maxn) break;
-								var mmd = Math.min(dif, nl - 2);
-								var md = 0;
-								for (var j = 0; j < mmd; ++j) {
-									var ti = i - dif + j & 32767;
-									var cd = ti - prev[ti] & 32767;
-									if (cd > md) md = cd, pimod = ti;
-								}
-							}
-						}
-						imod = pimod, pimod = prev[imod];
-						dif += imod - pimod & 32767;
-					}
-				}
-				if (d) {
-					syms[li++] = 268435456 | revfl[l] << 18 | revfd[d];
-					var lin = revfl[l] & 31, din = revfd[d] & 31;
-					eb += fleb[lin] + fdeb[din];
-					++lf[257 + lin];
-					++df[din];
-					wi = i + l;
-					++lc_1;
-				} else {
-					syms[li++] = dat[i];
-					++lf[dat[i]];
-				}
-			}
-		}
-		for (i = Math.max(i, wi); i < s; ++i) {
-			syms[li++] = dat[i];
-			++lf[dat[i]];
-		}
-		pos = wblk(dat, w, lst, syms, lf, df, eb, li, bs, i - bs, pos);
-		if (!lst) {
-			st.r = pos & 7 | w[pos / 8 | 0] << 3;
-			pos -= 7;
-			st.h = head, st.p = prev, st.i = i, st.w = wi;
-		}
-	} else {
-		for (var i = st.w || 0; i < s + lst; i += 65535) {
-			var e = i + 65535;
-			if (e >= s) {
-				w[pos / 8 | 0] = lst;
-				e = s;
-			}
-			pos = wfblk(w, pos + 1, dat.subarray(i, e));
-		}
-		st.i = s;
-	}
-	return slc(o, 0, pre + shft(pos) + post);
-};
-var crct = (function() {
-	var t = new Int32Array(256);
-	for (var i = 0; i < 256; ++i) {
-		var c = i, k = 9;
-		while (--k) c = (c & 1 && -306674912) ^ c >>> 1;
-		t[i] = c;
-	}
-	return t;
-})();
-var crc = function() {
-	var c = -1;
-	return {
-		p: function(d) {
-			var cr = c;
-			for (var i = 0; i < d.length; ++i) cr = crct[cr & 255 ^ d[i]] ^ cr >>> 8;
-			c = cr;
-		},
-		d: function() {
-			return ~c;
-		}
-	};
-};
-var dopt = function(dat, opt, pre, post, st) {
-	if (!st) {
-		st = { l: 1 };
-		if (opt.dictionary) {
-			var dict = opt.dictionary.subarray(-32768);
-			var newDat = new u8(dict.length + dat.length);
-			newDat.set(dict);
-			newDat.set(dat, dict.length);
-			dat = newDat;
-			st.w = dict.length;
-		}
-	}
-	return dflt(dat, opt.level == null ? 6 : opt.level, opt.mem == null ? st.l ? Math.ceil(Math.max(8, Math.min(13, Math.log(dat.length))) * 1.5) : 20 : 12 + opt.mem, pre, post, st);
-};
-var mrg = function(a, b) {
-	var o = {};
-	for (var k in a) o[k] = a[k];
-	for (var k in b) o[k] = b[k];
-	return o;
-};
-var wbytes = function(d, b, v) {
-	for (; v; ++b) d[b] = v, v >>>= 8;
-};
-var Deflate = function() {
-	function Deflate(opts, cb) {
-		if (typeof opts == "function") cb = opts, opts = {};
-		this.ondata = cb;
-		this.o = opts || {};
-		this.s = {
-			l: 0,
-			i: 32768,
-			w: 32768,
-			z: 32768
-		};
-		this.b = new u8(98304);
-		if (this.o.dictionary) {
-			var dict = this.o.dictionary.subarray(-32768);
-			this.b.set(dict, 32768 - dict.length);
-			this.s.i = 32768 - dict.length;
-		}
-	}
-	Deflate.prototype.p = function(c, f) {
-		this.ondata(dopt(c, this.o, 0, 0, this.s), f);
-	};
-	Deflate.prototype.push = function(chunk, final) {
-		if (!this.ondata) err(5);
-		if (this.s.l) err(4);
-		var endLen = chunk.length + this.s.z;
-		if (endLen > this.b.length) {
-			if (endLen > 2 * this.b.length - 32768) {
-				var newBuf = new u8(endLen & -32768);
-				newBuf.set(this.b.subarray(0, this.s.z));
-				this.b = newBuf;
-			}
-			var split = this.b.length - this.s.z;
-			this.b.set(chunk.subarray(0, split), this.s.z);
-			this.s.z = this.b.length;
-			this.p(this.b, false);
-			this.b.set(this.b.subarray(-32768));
-			this.b.set(chunk.subarray(split), 32768);
-			this.s.z = chunk.length - split + 32768;
-			this.s.i = 32766, this.s.w = 32768;
-		} else {
-			this.b.set(chunk, this.s.z);
-			this.s.z += chunk.length;
-		}
-		this.s.l = final & 1;
-		if (this.s.z > this.s.w + 8191 || final) {
-			this.p(this.b, final || false);
-			this.s.w = this.s.i, this.s.i -= 2;
-		}
-		if (final) {
-			this.s = this.o = {};
-			this.b = et;
-		}
-	};
-	Deflate.prototype.flush = function(sync) {
-		if (!this.ondata) err(5);
-		if (this.s.l) err(4);
-		this.p(this.b, false);
-		this.s.w = this.s.i, this.s.i -= 2;
-		if (sync) {
-			var c = new u8(6);
-			c[0] = this.s.r >> 3;
-			var ep = wfblk(c, this.s.r, et);
-			this.s.r = 0;
-			this.ondata(c.subarray(0, ep >> 3), false);
-		}
-	};
-	return Deflate;
-}();
-var te = typeof TextEncoder != "undefined" && new TextEncoder();
-var td = typeof TextDecoder != "undefined" && new TextDecoder();
-try {
-	td.decode(et, { stream: true });
-} catch (e) {}
-function strToU8(str, latin1) {
-	if (latin1) {
-		var ar_1 = new u8(str.length);
-		for (var i = 0; i < str.length; ++i) ar_1[i] = str.charCodeAt(i);
-		return ar_1;
-	}
-	if (te) return te.encode(str);
-	var l = str.length;
-	var ar = new u8(str.length + (str.length >> 1));
-	var ai = 0;
-	var w = function(v) {
-		ar[ai++] = v;
-	};
-	for (var i = 0; i < l; ++i) {
-		if (ai + 5 > ar.length) {
-			var n = new u8(ai + 8 + (l - i << 1));
-			n.set(ar);
-			ar = n;
-		}
-		var c = str.charCodeAt(i);
-		if (c < 128 || latin1) w(c);
-		else if (c < 2048) w(192 | c >> 6), w(128 | c & 63);
-		else if (c > 55295 && c < 57344) c = 65536 + (c & 1047552) | str.charCodeAt(++i) & 1023, w(240 | c >> 18), w(128 | c >> 12 & 63), w(128 | c >> 6 & 63), w(128 | c & 63);
-		else w(224 | c >> 12), w(128 | c >> 6 & 63), w(128 | c & 63);
-	}
-	return slc(ar, 0, ai);
-}
-var dbf = function(l) {
-	return l == 1 ? 3 : l < 6 ? 2 : l == 9 ? 1 : 0;
-};
-var exfl = function(ex) {
-	var le = 0;
-	if (ex) for (var k in ex) {
-		var l = ex[k].length;
-		if (l > 65535) err(9);
-		le += l + 4;
-	}
-	return le;
-};
-var wzh = function(d, b, f, fn, u, c, ce, co) {
-	var fl = fn.length, ex = f.extra, col = co && co.length;
-	var exl = exfl(ex);
-	wbytes(d, b, ce != null ? 33639248 : 67324752), b += 4;
-	if (ce != null) d[b++] = 20, d[b++] = f.os;
-	d[b] = 20, b += 2;
-	d[b++] = f.flag << 1 | (c < 0 && 8), d[b++] = u && 8;
-	d[b++] = f.compression & 255, d[b++] = f.compression >> 8;
-	var dt = new Date(f.mtime == null ? Date.now() : f.mtime), y = dt.getFullYear() - 1980;
-	if (y < 0 || y > 119) err(10);
-	wbytes(d, b, y << 25 | dt.getMonth() + 1 << 21 | dt.getDate() << 16 | dt.getHours() << 11 | dt.getMinutes() << 5 | dt.getSeconds() >> 1), b += 4;
-	if (c != -1) {
-		wbytes(d, b, f.crc);
-		wbytes(d, b + 4, c < 0 ? -c - 2 : c);
-		wbytes(d, b + 8, f.size);
-	}
-	wbytes(d, b + 12, fl);
-	wbytes(d, b + 14, exl), b += 16;
-	if (ce != null) {
-		wbytes(d, b, col);
-		wbytes(d, b + 6, f.attrs);
-		wbytes(d, b + 10, ce), b += 14;
-	}
-	d.set(fn, b);
-	b += fl;
-	if (exl) for (var k in ex) {
-		var exf = ex[k], l = exf.length;
-		wbytes(d, b, +k);
-		wbytes(d, b + 2, l);
-		d.set(exf, b + 4), b += 4 + l;
-	}
-	if (col) d.set(co, b), b += col;
-	return b;
-};
-var wzf = function(o, b, c, d, e) {
-	wbytes(o, b, 101010256);
-	wbytes(o, b + 8, c);
-	wbytes(o, b + 10, c);
-	wbytes(o, b + 12, d);
-	wbytes(o, b + 16, e);
-};
-var ZipPassThrough = function() {
-	function ZipPassThrough(filename) {
-		this.filename = filename;
-		this.c = crc();
-		this.size = 0;
-		this.compression = 0;
-	}
-	ZipPassThrough.prototype.process = function(chunk, final) {
-		this.ondata(null, chunk, final);
-	};
-	ZipPassThrough.prototype.push = function(chunk, final) {
-		if (!this.ondata) err(5);
-		this.c.p(chunk);
-		this.size += chunk.length;
-		if (final) this.crc = this.c.d();
-		this.process(chunk, final || false);
-	};
-	return ZipPassThrough;
-}();
-var ZipDeflate = function() {
-	function ZipDeflate(filename, opts) {
-		var _this = this;
-		if (!opts) opts = {};
-		ZipPassThrough.call(this, filename);
-		this.d = new Deflate(opts, function(dat, final) {
-			_this.ondata(null, dat, final);
-		});
-		this.compression = 8;
-		this.flag = dbf(opts.level);
-	}
-	ZipDeflate.prototype.process = function(chunk, final) {
-		try {
-			this.d.push(chunk, final);
-		} catch (e) {
-			this.ondata(e, null, final);
-		}
-	};
-	ZipDeflate.prototype.push = function(chunk, final) {
-		ZipPassThrough.prototype.push.call(this, chunk, final);
-	};
-	return ZipDeflate;
-}();
-var Zip = function() {
-	function Zip(cb) {
-		this.ondata = cb;
-		this.u = [];
-		this.d = 1;
-	}
-	Zip.prototype.add = function(file) {
-		var _this = this;
-		if (!this.ondata) err(5);
-		if (this.d & 2) this.ondata(err(4 + (this.d & 1) * 8, 0, 1), null, false);
-		else {
-			var f = strToU8(file.filename), fl_1 = f.length;
-			var com = file.comment, o = com && strToU8(com);
-			var u = fl_1 != file.filename.length || o && com.length != o.length;
-			var hl_1 = fl_1 + exfl(file.extra) + 30;
-			if (fl_1 > 65535) this.ondata(err(11, 0, 1), null, false);
-			var header = new u8(hl_1);
-			wzh(header, 0, file, f, u, -1);
-			var chks_1 = [header];
-			var pAll_1 = function() {
-				for (var _i = 0, chks_2 = chks_1; _i < chks_2.length; _i++) {
-					var chk = chks_2[_i];
-					_this.ondata(null, chk, false);
-				}
-				chks_1 = [];
-			};
-			var tr_1 = this.d;
-			this.d = 0;
-			var ind_1 = this.u.length;
-			var uf_1 = mrg(file, {
-				f,
-				u,
-				o,
-				t: function() {
-					if (file.terminate) file.terminate();
-				},
-				r: function() {
-					pAll_1();
-					if (tr_1) {
-						var nxt = _this.u[ind_1 + 1];
-						if (nxt) nxt.r();
-						else _this.d = 1;
-					}
-					tr_1 = 1;
-				}
-			});
-			var cl_1 = 0;
-			file.ondata = function(err, dat, final) {
-				if (err) {
-					_this.ondata(err, dat, final);
-					_this.terminate();
-				} else {
-					cl_1 += dat.length;
-					chks_1.push(dat);
-					if (final) {
-						var dd = new u8(16);
-						wbytes(dd, 0, 134695760);
-						wbytes(dd, 4, file.crc);
-						wbytes(dd, 8, cl_1);
-						wbytes(dd, 12, file.size);
-						chks_1.push(dd);
-						uf_1.c = cl_1, uf_1.b = hl_1 + cl_1 + 16, uf_1.crc = file.crc, uf_1.size = file.size;
-						if (tr_1) uf_1.r();
-						tr_1 = 1;
-					} else if (tr_1) pAll_1();
-				}
-			};
-			this.u.push(uf_1);
-		}
-	};
-	Zip.prototype.end = function() {
-		var _this = this;
-		if (this.d & 2) {
-			this.ondata(err(4 + (this.d & 1) * 8, 0, 1), null, true);
-			return;
-		}
-		if (this.d) this.e();
-		else this.u.push({
-			r: function() {
-				if (!(_this.d & 1)) return;
-				_this.u.splice(-1, 1);
-				_this.e();
-			},
-			t: function() {}
-		});
-		this.d = 3;
-	};
-	Zip.prototype.e = function() {
-		var bt = 0, l = 0, tl = 0;
-		for (var _i = 0, _a = this.u; _i < _a.length; _i++) {
-			var f = _a[_i];
-			tl += 46 + f.f.length + exfl(f.extra) + (f.o ? f.o.length : 0);
-		}
-		var out = new u8(tl + 22);
-		for (var _b = 0, _c = this.u; _b < _c.length; _b++) {
-			var f = _c[_b];
-			wzh(out, bt, f, f.f, f.u, -f.c - 2, l, f.o);
-			bt += 46 + f.f.length + exfl(f.extra) + (f.o ? f.o.length : 0), l += f.b;
-		}
-		wzf(out, bt, this.u.length, tl, l);
-		this.ondata(null, out, true);
-		this.d = 2;
-	};
-	Zip.prototype.terminate = function() {
-		for (var _i = 0, _a = this.u; _i < _a.length; _i++) _a[_i].t();
-		this.d = 2;
-	};
-	return Zip;
-}();
-// www/shared/engine/archive.ts
-var ARCHIVE_TIME = "1980-01-01T00:00:00";
-var Archive = class {
-	chunks = [];
-	zip = new Zip((error, chunk) => {
-		if (error !== null) throw error;
-		this.chunks.push(chunk);
-	});
-	add(name, content, compressed) {
-		const entry = compressed ? new ZipPassThrough(name) : new ZipDeflate(name, { level: 6 });
-		entry.mtime = ARCHIVE_TIME;
-		this.zip.add(entry);
-		entry.push(content, true);
-	}
-	end() {
-		this.zip.end();
-		return new Blob(this.chunks, { type: "application/zip" });
-	}
-};
 // www/shared/panel/facts.ts
 var open$1 = new Set();
 function facts(list) {
@@ -5646,30 +5664,32 @@ function nameOfEdit(edit) {
 		case "move": return say("step-move-match");
 	}
 }
+var exchangedPlace = ([xl, yl, xr, yr]) => [
+	xr,
+	yr,
+	xl,
+	yl
+];
+function exchangedTarget(of) {
+	return typeof of === "number" ? of : exchangedPlace(of);
+}
 function exchanged({ edits, done }) {
 	if (edits.length === 0) return NO_HISTORY;
-	const place = ([xl, yl, xr, yr]) => [
-		xr,
-		yr,
-		xl,
-		yl
-	];
-	const target = (of) => typeof of === "number" ? of : place(of);
 	const other = (edit) => {
 		switch (edit.kind) {
 			case "reject":
 			case "restore": return {
 				kind: edit.kind,
-				of: edit.of.map(target)
+				of: edit.of.map(exchangedTarget)
 			};
 			case "add": return {
 				...edit,
-				at: place(edit.at)
+				at: exchangedPlace(edit.at)
 			};
 			case "move": return {
 				kind: "move",
-				of: target(edit.of),
-				to: place(edit.to)
+				of: exchangedTarget(edit.of),
+				to: exchangedPlace(edit.to)
 			};
 		}
 	};
@@ -5899,6 +5919,11 @@ function withoutBase(state, match) {
 	const result = state.results.match;
 	return result !== void 0 && result.key === match && (result.value.geometry?.degenerate === "pure-rotation" || oneImage(state) !== null);
 }
+function isPoor({ results, failures }, match, orientation) {
+	if (match === null || results.match?.key !== match) return false;
+	if (orientation === null || failures.orientation?.key === orientation) return true;
+	return results.orientation?.key === orientation && results.orientation.value.verdict.kind !== "oriented";
+}
 function openKey(state, side) {
 	const image = state.images[side];
 	return image === null ? null : keyOf("open", [], image.id);
@@ -5973,6 +5998,7 @@ function compute(state) {
 			interiorRight,
 			orientation: orientation(edited),
 			score: keyOf("score", [edited, truth === null ? null : ""], [truth?.leftId, truth?.rightId]),
+			difference: gradients || !isPoor(state, match, orientation(edited)) ? null : keyOf("difference", [openLeft, openRight]),
 			line: keyOf("line", [match, state.draft === null ? null : ""], knownOfDraft(state)),
 			inspection: keyOf("inspection", [placed ? edited : match, state.selection === null ? null : ""], [state.selection, settings?.window])
 		},
@@ -6324,6 +6350,305 @@ function placeOfLeft({ left, match }, index) {
 	];
 }
 var rowOfEdited = remember(rowsOfLefts);
+// www/pair/state/stages.ts
+var STAGES = {
+	openLeft: {
+		label: say("decoding-the-left-image"),
+		worker: "left",
+		needs: []
+	},
+	openRight: {
+		label: say("decoding-the-right-image"),
+		worker: "right",
+		needs: []
+	},
+	pointsLeft: {
+		label: say("detecting-points-left"),
+		worker: "left",
+		needs: ["openLeft"]
+	},
+	pointsRight: {
+		label: say("detecting-points-right"),
+		worker: "right",
+		needs: ["openRight"]
+	},
+	descriptorsLeft: {
+		label: say("describing-points-left"),
+		worker: "left",
+		needs: ["pointsLeft"]
+	},
+	descriptorsRight: {
+		label: say("describing-points-right"),
+		worker: "right",
+		needs: ["pointsRight"]
+	},
+	offset: {
+		label: say("estimating-the-offset-of-the"),
+		worker: "pair",
+		needs: ["openLeft", "openRight"]
+	},
+	match: {
+		label: say("matching-2"),
+		worker: "pair",
+		needs: [
+			"descriptorsLeft",
+			"descriptorsRight",
+			"offset"
+		],
+		uses: ["interiorLeft", "interiorRight"]
+	},
+	interiorLeft: {
+		label: say("interior-orientation-left"),
+		worker: "pair",
+		needs: ["openLeft"]
+	},
+	interiorRight: {
+		label: say("interior-orientation-right"),
+		worker: "pair",
+		needs: ["openRight"]
+	},
+	orientation: {
+		label: say("relative-orientation-2"),
+		worker: "pair",
+		needs: [
+			"match",
+			"interiorLeft",
+			"interiorRight"
+		]
+	},
+	score: {
+		label: say("comparing-with-the-truth"),
+		worker: "pair",
+		needs: ["match"]
+	},
+	difference: {
+		label: say("comparing-how-the-photos-lie"),
+		worker: "pair",
+		needs: ["openLeft", "openRight"]
+	},
+	line: {
+		label: say("looking-where-the-point-may"),
+		worker: "pair",
+		needs: ["match"]
+	},
+	inspection: {
+		label: say("loading-the-selected-point"),
+		worker: "pair",
+		needs: ["match"]
+	}
+};
+var STAGE_NAMES = Object.keys(STAGES);
+// www/pair/state/residuals.ts
+function pixelMm(interior) {
+	const [[a, b], [d, e]] = interior.parameters;
+	return Math.sqrt(Math.abs(a * e - b * d));
+}
+function countsOf$1({ residuals_mm: residuals, rejected }) {
+	const all = residuals.length / 4;
+	return {
+		all,
+		used: all - rejected.length
+	};
+}
+function vectorsOf(side) {
+	return remember((match, orientation, interior) => {
+		const [[a, b], [d, e]] = interior.parameters;
+		const determinant = a * e - b * d;
+		const first = side === "left" ? 0 : 2;
+		const residuals = orientation.residuals_mm;
+		const vectors = new Float64Array(residuals.length);
+		for (let i = 0; 4 * i < residuals.length; i++) {
+			const vx = residuals[4 * i + first] ?? NaN;
+			const vy = residuals[4 * i + first + 1] ?? NaN;
+			vectors[4 * i] = match.matches[5 * i + first] ?? NaN;
+			vectors[4 * i + 1] = match.matches[5 * i + first + 1] ?? NaN;
+			vectors[4 * i + 2] = (e * vx - b * vy) / determinant;
+			vectors[4 * i + 3] = (a * vy - d * vx) / determinant;
+		}
+		return vectors;
+	});
+}
+var residualVectors = {
+	left: vectorsOf("left"),
+	right: vectorsOf("right")
+};
+var parallaxResiduals = remember((orientation, interior) => {
+	const rejected = new Set(orientation.rejected);
+	const pixel = pixelMm(interior);
+	const residuals = orientation.residuals_mm;
+	const across = (i) => (residuals[4 * i + 3] ?? NaN) - (residuals[4 * i + 1] ?? NaN);
+	return Float64Array.from({ length: countsOf$1(orientation).all }, (_, i) => across(i) / pixel).filter((_, i) => !rejected.has(i));
+});
+// www/pair/state/select.ts
+function shownPair(state) {
+	const found = pointsOfShownImage(state, "left");
+	const right = pointsOfShownImage(state, "right");
+	const made = state.results.match?.value ?? null;
+	const edited = made !== null && found !== null && right !== null && made.rules.length * 3 === found.length && matchIsOf(made, found, right) ? editedPair(state) : null;
+	const result = wantedKeys(state).orientation !== null && !isBarred(state, "orientation") ? state.results.orientation : void 0;
+	const key = state.results.match?.key ?? "";
+	const orientation = edited === null || result === void 0 ? null : orientationOf(result.value, result.of ?? null, edited, key);
+	return {
+		left: edited?.left ?? found,
+		right,
+		match: edited?.match ?? null,
+		orientation,
+		edited
+	};
+}
+var orientationOf = remember((orientation, of, { match }, key) => {
+	const count = match.matches.length / 5;
+	if (of === null || of.match === match) return countsOf$1(orientation).all === count ? orientation : null;
+	if (of.key !== key) return null;
+	const then = rowsThen(of.match, match);
+	const wasRejected = new Set(orientation.rejected);
+	const points = new Float64Array(9 * count).fill(NaN);
+	const residuals = new Float64Array(4 * count).fill(NaN);
+	const rejected = [];
+	then.forEach((own, row) => {
+		if (own < 0) return;
+		for (let k = 0; k < 9; k++) points[9 * row + k] = orientation.points[9 * own + k] ?? NaN;
+		for (let k = 0; k < 4; k++) residuals[4 * row + k] = orientation.residuals_mm[4 * own + k] ?? NaN;
+		if (wasRejected.has(own)) rejected.push(row);
+	});
+	return {
+		...orientation,
+		points,
+		residuals_mm: residuals,
+		rejected
+	};
+});
+function rowsThen(earlier, now) {
+	const rowOfLeft = rowsOfLefts(earlier);
+	const rows = new Int32Array(now.indices.length / 2).fill(-1);
+	for (let row = 0; row < rows.length; row++) {
+		const then = rowOfLeft[now.indices[2 * row] ?? 4294967295] ?? -1;
+		let same = then >= 0;
+		for (let k = 0; same && k < 4; k++) same = earlier.matches[5 * then + k] === now.matches[5 * row + k];
+		if (same) rows[row] = then;
+	}
+	return rows;
+}
+function pointsOfShownImage(state, side) {
+	const opened = side === "left" ? "openLeft" : "openRight";
+	if (state.results[opened] === void 0 || state.results[opened].key !== wantedKeys(state)[opened]) return null;
+	return state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value.points ?? null;
+}
+function matchIsOf(match, left, right) {
+	const count = match.indices.length / 2;
+	return [0, count - 1].every((i) => {
+		if (i < 0 || count === 0) return true;
+		const l = match.indices[2 * i] ?? 0;
+		const r = match.indices[2 * i + 1] ?? 4294967295;
+		return left[3 * l] === match.matches[5 * i] && (r === 4294967295 || 3 * r < right.length);
+	});
+}
+var leftCodes = rememberCodes((left, match, orientation) => {
+	const codes = new Uint8Array((left?.length ?? 0) / 3).fill(UNDECIDED);
+	if (match === null) return codes;
+	codes.set(match.rules);
+	for (let row = 0; 5 * row < match.matches.length; row++) if (isManual(match, row)) codes[match.indices[2 * row] ?? 4294967295] = MANUAL;
+	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i] ?? 0] = GROSS_ERROR;
+	return codes;
+});
+var rightCodes = rememberCodes((right, match, orientation) => {
+	const codes = new Uint8Array((right?.length ?? 0) / 3).fill(UNDECIDED);
+	if (match === null) return codes;
+	match.rules.forEach((rule, left) => {
+		if (rule === BY_HAND) codes[match.best[left] ?? -1] = BY_HAND;
+	});
+	for (let i = 1; i < match.indices.length; i += 2) codes[match.indices[i] ?? 4294967295] = MATCHED;
+	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i + 1] ?? 4294967295] = GROSS_ERROR;
+	return codes;
+});
+var matchCodes = rememberCodes((match, orientation) => {
+	const codes = new Uint8Array((match?.matches.length ?? 0) / 5);
+	for (let row = 0; match !== null && row < codes.length; row++) codes[row] = isManual(match, row) ? MANUAL : MATCHED;
+	for (const i of orientation?.rejected ?? []) codes[i] = GROSS_ERROR;
+	return codes;
+});
+var loosePlaces = remember((match, codes) => {
+	const most = match === null ? 0 : match.rules.length + codes.length;
+	const [points, ofPlaces, lefts] = [
+		new Float64Array(3 * most),
+		new Uint8Array(most),
+		new Uint32Array(most)
+	];
+	let count = 0;
+	const put = (left, code, x, y, measure) => {
+		points[3 * count] = x;
+		points[3 * count + 1] = y;
+		points[3 * count + 2] = measure;
+		ofPlaces[count] = code;
+		lefts[count] = left;
+		count += 1;
+	};
+	match?.rules.forEach((rule, left) => {
+		if (rule !== BY_HAND || (match.best[left] ?? -1) >= 0) return;
+		const [x = NaN, y = NaN] = match.places.subarray(2 * left, 2 * left + 2);
+		if (!Number.isNaN(x)) put(left, BY_HAND, x, y, 0);
+	});
+	codes.forEach((code, row) => {
+		if (match?.indices[2 * row + 1] !== 4294967295) return;
+		const at = (k) => match.matches[5 * row + k] ?? NaN;
+		put(match.indices[2 * row] ?? 0, code, at(2), at(3), at(4));
+	});
+	return {
+		points: points.slice(0, 3 * count),
+		codes: ofPlaces.slice(0, count),
+		lefts: lefts.slice(0, count)
+	};
+});
+var matchOfLeft = remember(rowsOfLefts);
+var RUN_STAGES = [
+	"openLeft",
+	"openRight",
+	"pointsLeft",
+	"pointsRight",
+	"descriptorsLeft",
+	"descriptorsRight",
+	"offset",
+	"match",
+	"interiorLeft",
+	"interiorRight",
+	"orientation",
+	"score"
+];
+function isBarred(state, stage) {
+	const failure = state.failures[stage];
+	return failure !== void 0 && failure.key === wantedKeys(state)[stage] || STAGES[stage].needs.some((needed) => isBarred(state, needed));
+}
+function progress(state) {
+	const keys = wantedKeys(state);
+	const wanted = RUN_STAGES.filter((stage) => keys[stage] !== null);
+	return {
+		wanted: wanted.length,
+		done: wanted.filter((stage) => state.results[stage]?.key === keys[stage] || isBarred(state, stage)).length,
+		running: RUN_STAGES.filter((stage) => state.running[stage] !== void 0)
+	};
+}
+function isBusy(state) {
+	return Object.keys(state.running).length > 0 || state.notice?.kind === "busy";
+}
+function currentFailure(state) {
+	const keys = wantedKeys(state);
+	for (const stage of [
+		...RUN_STAGES,
+		"inspection",
+		"line"
+	]) {
+		const failure = state.failures[stage];
+		if (failure !== void 0 && failure.key === keys[stage]) return {
+			stage,
+			message: failure.message,
+			ended: failure.ended
+		};
+	}
+	return null;
+}
+function anyStale(state) {
+	return RUN_STAGES.some((stage) => isStale(state, stage));
+}
 // www/pair/state/no-orientation.ts
 function whyNone(state) {
 	const { results } = state;
@@ -6339,6 +6664,8 @@ function whyNone(state) {
 	};
 	const one = match === void 0 ? null : oneImage(state);
 	if (one !== null) return one;
+	const few = match === void 0 ? null : few_matches((shownPair(state).match ?? match).counts.matches);
+	if (few !== null) return few;
 	if (missing !== null) return missing;
 	if (match?.geometry?.degenerate === "pure-rotation") return { kind: "pure_rotation" };
 	const error = failureOf(state)?.error ?? null;
@@ -6700,300 +7027,6 @@ var OF_IMAGE = {
 		"descriptorsRight"
 	]
 };
-// www/pair/state/stages.ts
-var STAGES = {
-	openLeft: {
-		label: say("decoding-the-left-image"),
-		worker: "left",
-		needs: []
-	},
-	openRight: {
-		label: say("decoding-the-right-image"),
-		worker: "right",
-		needs: []
-	},
-	pointsLeft: {
-		label: say("detecting-points-left"),
-		worker: "left",
-		needs: ["openLeft"]
-	},
-	pointsRight: {
-		label: say("detecting-points-right"),
-		worker: "right",
-		needs: ["openRight"]
-	},
-	descriptorsLeft: {
-		label: say("describing-points-left"),
-		worker: "left",
-		needs: ["pointsLeft"]
-	},
-	descriptorsRight: {
-		label: say("describing-points-right"),
-		worker: "right",
-		needs: ["pointsRight"]
-	},
-	offset: {
-		label: say("estimating-the-offset-of-the"),
-		worker: "pair",
-		needs: ["openLeft", "openRight"]
-	},
-	match: {
-		label: say("matching-2"),
-		worker: "pair",
-		needs: [
-			"descriptorsLeft",
-			"descriptorsRight",
-			"offset"
-		],
-		uses: ["interiorLeft", "interiorRight"]
-	},
-	interiorLeft: {
-		label: say("interior-orientation-left"),
-		worker: "pair",
-		needs: ["openLeft"]
-	},
-	interiorRight: {
-		label: say("interior-orientation-right"),
-		worker: "pair",
-		needs: ["openRight"]
-	},
-	orientation: {
-		label: say("relative-orientation-2"),
-		worker: "pair",
-		needs: [
-			"match",
-			"interiorLeft",
-			"interiorRight"
-		]
-	},
-	score: {
-		label: say("comparing-with-the-truth"),
-		worker: "pair",
-		needs: ["match"]
-	},
-	line: {
-		label: say("looking-where-the-point-may"),
-		worker: "pair",
-		needs: ["match"]
-	},
-	inspection: {
-		label: say("loading-the-selected-point"),
-		worker: "pair",
-		needs: ["match"]
-	}
-};
-var STAGE_NAMES = Object.keys(STAGES);
-// www/pair/state/residuals.ts
-function pixelMm(interior) {
-	const [[a, b], [d, e]] = interior.parameters;
-	return Math.sqrt(Math.abs(a * e - b * d));
-}
-function countsOf$1({ residuals_mm: residuals, rejected }) {
-	const all = residuals.length / 4;
-	return {
-		all,
-		used: all - rejected.length
-	};
-}
-function vectorsOf(side) {
-	return remember((match, orientation, interior) => {
-		const [[a, b], [d, e]] = interior.parameters;
-		const determinant = a * e - b * d;
-		const first = side === "left" ? 0 : 2;
-		const residuals = orientation.residuals_mm;
-		const vectors = new Float64Array(residuals.length);
-		for (let i = 0; 4 * i < residuals.length; i++) {
-			const vx = residuals[4 * i + first] ?? NaN;
-			const vy = residuals[4 * i + first + 1] ?? NaN;
-			vectors[4 * i] = match.matches[5 * i + first] ?? NaN;
-			vectors[4 * i + 1] = match.matches[5 * i + first + 1] ?? NaN;
-			vectors[4 * i + 2] = (e * vx - b * vy) / determinant;
-			vectors[4 * i + 3] = (a * vy - d * vx) / determinant;
-		}
-		return vectors;
-	});
-}
-var residualVectors = {
-	left: vectorsOf("left"),
-	right: vectorsOf("right")
-};
-var parallaxResiduals = remember((orientation, interior) => {
-	const rejected = new Set(orientation.rejected);
-	const pixel = pixelMm(interior);
-	const residuals = orientation.residuals_mm;
-	const across = (i) => (residuals[4 * i + 3] ?? NaN) - (residuals[4 * i + 1] ?? NaN);
-	return Float64Array.from({ length: countsOf$1(orientation).all }, (_, i) => across(i) / pixel).filter((_, i) => !rejected.has(i));
-});
-// www/pair/state/select.ts
-function shownPair(state) {
-	const found = pointsOfShownImage(state, "left");
-	const right = pointsOfShownImage(state, "right");
-	const made = state.results.match?.value ?? null;
-	const edited = made !== null && found !== null && right !== null && made.rules.length * 3 === found.length && matchIsOf(made, found, right) ? editedPair(state) : null;
-	const result = wantedKeys(state).orientation !== null && !isBarred(state, "orientation") ? state.results.orientation : void 0;
-	const key = state.results.match?.key ?? "";
-	const orientation = edited === null || result === void 0 ? null : orientationOf(result.value, result.of ?? null, edited, key);
-	return {
-		left: edited?.left ?? found,
-		right,
-		match: edited?.match ?? null,
-		orientation,
-		edited
-	};
-}
-var orientationOf = remember((orientation, of, { match }, key) => {
-	const count = match.matches.length / 5;
-	if (of === null || of.match === match) return countsOf$1(orientation).all === count ? orientation : null;
-	if (of.key !== key) return null;
-	const then = rowsThen(of.match, match);
-	const wasRejected = new Set(orientation.rejected);
-	const points = new Float64Array(9 * count).fill(NaN);
-	const residuals = new Float64Array(4 * count).fill(NaN);
-	const rejected = [];
-	then.forEach((own, row) => {
-		if (own < 0) return;
-		for (let k = 0; k < 9; k++) points[9 * row + k] = orientation.points[9 * own + k] ?? NaN;
-		for (let k = 0; k < 4; k++) residuals[4 * row + k] = orientation.residuals_mm[4 * own + k] ?? NaN;
-		if (wasRejected.has(own)) rejected.push(row);
-	});
-	return {
-		...orientation,
-		points,
-		residuals_mm: residuals,
-		rejected
-	};
-});
-function rowsThen(earlier, now) {
-	const rowOfLeft = rowsOfLefts(earlier);
-	const rows = new Int32Array(now.indices.length / 2).fill(-1);
-	for (let row = 0; row < rows.length; row++) {
-		const then = rowOfLeft[now.indices[2 * row] ?? 4294967295] ?? -1;
-		let same = then >= 0;
-		for (let k = 0; same && k < 4; k++) same = earlier.matches[5 * then + k] === now.matches[5 * row + k];
-		if (same) rows[row] = then;
-	}
-	return rows;
-}
-function pointsOfShownImage(state, side) {
-	const opened = side === "left" ? "openLeft" : "openRight";
-	if (state.results[opened] === void 0 || state.results[opened].key !== wantedKeys(state)[opened]) return null;
-	return state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value.points ?? null;
-}
-function matchIsOf(match, left, right) {
-	const count = match.indices.length / 2;
-	return [0, count - 1].every((i) => {
-		if (i < 0 || count === 0) return true;
-		const l = match.indices[2 * i] ?? 0;
-		const r = match.indices[2 * i + 1] ?? 4294967295;
-		return left[3 * l] === match.matches[5 * i] && (r === 4294967295 || 3 * r < right.length);
-	});
-}
-var leftCodes = rememberCodes((left, match, orientation) => {
-	const codes = new Uint8Array((left?.length ?? 0) / 3).fill(UNDECIDED);
-	if (match === null) return codes;
-	codes.set(match.rules);
-	for (let row = 0; 5 * row < match.matches.length; row++) if (isManual(match, row)) codes[match.indices[2 * row] ?? 4294967295] = MANUAL;
-	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i] ?? 0] = GROSS_ERROR;
-	return codes;
-});
-var rightCodes = rememberCodes((right, match, orientation) => {
-	const codes = new Uint8Array((right?.length ?? 0) / 3).fill(UNDECIDED);
-	if (match === null) return codes;
-	match.rules.forEach((rule, left) => {
-		if (rule === BY_HAND) codes[match.best[left] ?? -1] = BY_HAND;
-	});
-	for (let i = 1; i < match.indices.length; i += 2) codes[match.indices[i] ?? 4294967295] = MATCHED;
-	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i + 1] ?? 4294967295] = GROSS_ERROR;
-	return codes;
-});
-var matchCodes = rememberCodes((match, orientation) => {
-	const codes = new Uint8Array((match?.matches.length ?? 0) / 5);
-	for (let row = 0; match !== null && row < codes.length; row++) codes[row] = isManual(match, row) ? MANUAL : MATCHED;
-	for (const i of orientation?.rejected ?? []) codes[i] = GROSS_ERROR;
-	return codes;
-});
-var loosePlaces = remember((match, codes) => {
-	const most = match === null ? 0 : match.rules.length + codes.length;
-	const [points, ofPlaces, lefts] = [
-		new Float64Array(3 * most),
-		new Uint8Array(most),
-		new Uint32Array(most)
-	];
-	let count = 0;
-	const put = (left, code, x, y, measure) => {
-		points[3 * count] = x;
-		points[3 * count + 1] = y;
-		points[3 * count + 2] = measure;
-		ofPlaces[count] = code;
-		lefts[count] = left;
-		count += 1;
-	};
-	match?.rules.forEach((rule, left) => {
-		if (rule !== BY_HAND || (match.best[left] ?? -1) >= 0) return;
-		const [x = NaN, y = NaN] = match.places.subarray(2 * left, 2 * left + 2);
-		if (!Number.isNaN(x)) put(left, BY_HAND, x, y, 0);
-	});
-	codes.forEach((code, row) => {
-		if (match?.indices[2 * row + 1] !== 4294967295) return;
-		const at = (k) => match.matches[5 * row + k] ?? NaN;
-		put(match.indices[2 * row] ?? 0, code, at(2), at(3), at(4));
-	});
-	return {
-		points: points.slice(0, 3 * count),
-		codes: ofPlaces.slice(0, count),
-		lefts: lefts.slice(0, count)
-	};
-});
-var matchOfLeft = remember(rowsOfLefts);
-var RUN_STAGES = [
-	"openLeft",
-	"openRight",
-	"pointsLeft",
-	"pointsRight",
-	"descriptorsLeft",
-	"descriptorsRight",
-	"offset",
-	"match",
-	"interiorLeft",
-	"interiorRight",
-	"orientation",
-	"score"
-];
-function isBarred(state, stage) {
-	const failure = state.failures[stage];
-	return failure !== void 0 && failure.key === wantedKeys(state)[stage] || STAGES[stage].needs.some((needed) => isBarred(state, needed));
-}
-function progress(state) {
-	const keys = wantedKeys(state);
-	const wanted = RUN_STAGES.filter((stage) => keys[stage] !== null);
-	return {
-		wanted: wanted.length,
-		done: wanted.filter((stage) => state.results[stage]?.key === keys[stage] || isBarred(state, stage)).length,
-		running: RUN_STAGES.filter((stage) => state.running[stage] !== void 0)
-	};
-}
-function isBusy(state) {
-	return Object.keys(state.running).length > 0 || state.notice?.kind === "busy";
-}
-function currentFailure(state) {
-	const keys = wantedKeys(state);
-	for (const stage of [
-		...RUN_STAGES,
-		"inspection",
-		"line"
-	]) {
-		const failure = state.failures[stage];
-		if (failure !== void 0 && failure.key === keys[stage]) return {
-			stage,
-			message: failure.message,
-			ended: failure.ended
-		};
-	}
-	return null;
-}
-function anyStale(state) {
-	return RUN_STAGES.some((stage) => isStale(state, stage));
-}
 // www/pair/state/kept.ts
 function typedOf({ settings, camera, photos, fiducialModel, offset }) {
 	return settings === null ? null : {
@@ -7551,6 +7584,7 @@ var score = async (state, workers) => {
 		}
 	});
 };
+var difference = async (state, workers) => (await workers.withPair(state)).call("difference", null);
 var RUNS = {
 	openLeft: open("left"),
 	openRight: open("right"),
@@ -7564,6 +7598,7 @@ var RUNS = {
 	interiorRight: interior("right"),
 	orientation,
 	score,
+	difference,
 	inspection,
 	line
 };
@@ -8218,9 +8253,12 @@ function scoreOf(state) {
 	};
 }
 async function exportMatches(state, engine) {
-	const { match } = shownPair(state);
+	const { match, orientation } = shownPair(state);
 	if (match === null) return;
-	const text = await engine.client("pair").call("matchesCsv", { matches: match.matches });
+	const text = await engine.client("pair").call("matchesCsv", {
+		matches: match.matches,
+		rejected: orientation?.rejected ?? null
+	});
 	save(new Blob([text], { type: "text/csv" }), `${baseName(state)}-matches.csv`);
 }
 function exportEverything(state) {
@@ -10394,6 +10432,16 @@ function moving(state) {
 		side: state.selection?.side === "left" ? "right" : state.selection?.side ?? "right"
 	};
 }
+function exchangedDraft({ of, places, side }) {
+	return {
+		of: of === null ? null : exchangedTarget(of),
+		places: {
+			left: places.right,
+			right: places.left
+		},
+		side: otherSide(side)
+	};
+}
 function isPredicted(state) {
 	const { draft } = state;
 	return draft !== null && draft.places[draft.side] === null && expectedPlace(state) !== null;
@@ -11074,7 +11122,7 @@ function content$2(state) {
 	}, message("degeneracy", degenerate))], facts(figures(match, match.geometry))];
 }
 function modelText({ model: { kind }, focal }) {
-	return kind === "calibrated" && focal !== null ? say("cameras-of-estimated-focal-length") : message("two_view_model", { kind }, "label");
+	return message("two_view_model", { kind }, kind === "calibrated" && focal !== null ? "estimated" : "label");
 }
 function figures(match, geometry) {
 	const { model: { kind }, sigma_px: sigma, threshold_px: threshold, focal } = geometry;
@@ -11628,9 +11676,9 @@ function cellOf(value, row, column) {
 	}, fixed(value, 2)));
 }
 var PLOT = 150;
-function ellipsePicture(ellipse, deviation) {
+function ellipsePicture(ellipse, of95, deviation) {
 	const { semi_major: major, semi_minor: minor, bearing_deg: angle } = ellipse;
-	const reach = Math.max(2 * major, ...(deviation ?? []).map((d) => 1.15 * Math.abs(d)));
+	const reach = Math.max((of95 ?? ellipse).semi_major, ...(deviation ?? []).map((d) => 1.15 * Math.abs(d)));
 	const scale = PLOT / 2 / reach;
 	const words = say("standard-error-ellipse-of-by", {
 		major: significant(major),
@@ -11641,10 +11689,10 @@ function ellipsePicture(ellipse, deviation) {
 		d: cross(-deviation[0] * scale, deviation[1] * scale),
 		class: "truth"
 	})];
-	return h("figure", { testid: "ellipse" }, h("figcaption", { title: words }, say("by-bz-ellipse-m-dashed", {
+	return h("figure", { testid: "ellipse" }, h("figcaption", { title: words }, say("by-bz-ellipse-m", {
 		major: significant(1e3 * major),
 		minor: significant(1e3 * minor),
-		what: deviation === null ? "" : say("cross-truth")
+		what: [of95 ? say("dashed-95") : "", deviation === null ? "" : say("cross-truth")].join("")
 	})), svg("svg", {
 		viewBox: `${String(-75)} ${String(-75)} ${String(PLOT)} ${String(PLOT)}`,
 		class: "ellipse",
@@ -11654,16 +11702,12 @@ function ellipsePicture(ellipse, deviation) {
 		d: `M${String(-75)} 0h${String(PLOT)}M0 ${String(-75)}v${String(PLOT)}`,
 		class: "axis"
 	}), svg("ellipse", {
-		rx: major * scale,
-		ry: minor * scale,
-		transform: `rotate(${String(-angle)})`,
+		...axesOf(ellipse, scale),
 		class: "outline"
-	}), svg("ellipse", {
-		rx: 2 * major * scale,
-		ry: 2 * minor * scale,
-		transform: `rotate(${String(-angle)})`,
+	}), ...of95 ? [svg("ellipse", {
+		...axesOf(of95, scale),
 		class: "outline faint"
-	}), ...truth, svg("text", {
+	})] : [], ...truth, svg("text", {
 		x: 59,
 		y: -5,
 		class: "matrix-name"
@@ -11673,6 +11717,11 @@ function ellipsePicture(ellipse, deviation) {
 		class: "matrix-name"
 	}, "bz")));
 }
+var axesOf = ({ semi_major: major, semi_minor: minor, bearing_deg: angle }, scale) => ({
+	rx: major * scale,
+	ry: minor * scale,
+	transform: `rotate(${String(-angle)})`
+});
 function cross(x, y) {
 	return `M${String(x - 5)} ${String(y - 5)}l10 10M${String(x + 5)} ${String(y - 5)}l-10 10`;
 }
@@ -11923,7 +11972,7 @@ function pictures(state, result) {
 	const truth = truthFor(state, result);
 	const deviation = truth === null || Number.isNaN(truth.by_mm) ? null : [result.by_mm - truth.by_mm, result.bz_mm - truth.bz_mm];
 	const ellipse = result.base_ellipse_mm;
-	return h("div", { class: "precision-pictures" }, correlationPicture(result), ellipse === null ? null : ellipsePicture(ellipse, deviation));
+	return h("div", { class: "precision-pictures" }, correlationPicture(result), ellipse === null ? null : ellipsePicture(ellipse, result.base_ellipse_95_mm ?? void 0, deviation));
 }
 // www/pair/panel/panes.ts
 function mountPanes(view, store, actions) {
@@ -12857,7 +12906,7 @@ function resting(state, waiting, actions) {
 	return waiting ? line("busy", say("waiting")) : answered(state, actions);
 }
 function answered(state, actions) {
-	const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === "inspection" || stage === "line" ? 0 : result.milliseconds), 0);
+	const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === "inspection" || stage === "line" || stage === "difference" ? 0 : result.milliseconds), 0);
 	const matched = milliseconds === 0 ? `${summary(state)}.` : say("worked", {
 		matched: summary(state),
 		seconds: milliseconds / 1e3
@@ -12911,11 +12960,13 @@ function answered(state, actions) {
 }
 function hintFor(state, verdict) {
 	const none = whyNone(state);
+	const { value: difference } = isCurrent(state, "difference") && state.results.difference || { value: null };
+	const { value: offset } = isCurrent(state, "offset") && state.results.offset || { value: null };
 	const judged = verdict ?? (none === null ? null : {
 		kind: "not_oriented",
 		no_orientation: none
 	});
-	return state.settings === null || judged === null || isWithoutPoints(state) ? null : pair_hint(judged, state.settings);
+	return state.settings === null || judged === null || isWithoutPoints(state) ? null : pair_hint(judged, state.settings, difference, offset);
 }
 function isWithoutPoints(state) {
 	const { left, right } = shownPair(state);
@@ -12960,7 +13011,7 @@ function nextWithout(state, actions) {
 	};
 	if (none === null) return why;
 	const { kind } = none;
-	if (kind === "no_geometry" || kind === "parts_of_one_image") return {
+	if (kind === "no_geometry" || kind === "too_few_matches" || kind === "parts_of_one_image") return {
 		text: say("open-other-photos"),
 		act: () => actions.open(null)
 	};
@@ -14219,6 +14270,7 @@ function swapped(state) {
 		},
 		...UNEDITED,
 		history: exchanged(state.history),
+		...measuredOn(state.draft === null ? null : exchangedDraft(state.draft), state.tool),
 		selection: null,
 		failures: {},
 		paused: false

@@ -345,8 +345,8 @@
 			wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 			return v1;
 		}
-		static open(project, heights, heights_sidecars, gsd, in_adjustment) {
-			const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, isLikeNone(gsd) ? 0 : addToExternrefTable0(gsd), isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0);
+		static open(project, heights, heights_sidecars, gsd, in_adjustment, images) {
+			const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, isLikeNone(gsd) ? 0 : addToExternrefTable0(gsd), isLikeNone(in_adjustment) ? 16777215 : in_adjustment ? 1 : 0, isLikeNone(images) ? 0 : addToExternrefTable0(images));
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return OrthoMosaic.__wrap(ret[0]);
 		}
@@ -590,6 +590,9 @@
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
 		}
+		verdict() {
+			return wasm.report_verdict(this.__wbg_ptr);
+		}
 	};
 	if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
 	var Run = class {
@@ -735,11 +738,11 @@
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
-	function matches_csv(matches) {
+	function matches_csv(matches, rejected) {
 		let deferred2_0;
 		let deferred2_1;
 		try {
-			const ret = wasm.matches_csv(matches);
+			const ret = wasm.matches_csv(matches, rejected);
 			var ptr1 = ret[0];
 			var len1 = ret[1];
 			if (ret[3]) {
@@ -805,6 +808,13 @@
 	}
 	function parse_fiducials(csv) {
 		const ret = wasm.parse_fiducials(csv);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	function photo_difference(left, right) {
+		_assertClass(left, Photo);
+		_assertClass(right, Photo);
+		const ret = wasm.photo_difference(left.__wbg_ptr, right.__wbg_ptr);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -1541,7 +1551,7 @@
 		if (held$2.keys.heights !== keys.heights) {
 			const { reference } = held$2;
 			if (typeof heights === "number") reference.set_heights(heights);
-			else reference.set_heights(await bytesOf$1(heights.file), heights.sidecars);
+			else reference.set_heights(inParts(heights.file), heights.sidecars);
 			held$2 = {
 				keys,
 				reference,
@@ -1662,13 +1672,13 @@
 	}
 	var mosaic = null;
 	var written = [];
-	async function mosaicOpen({ project, heights, inAdjustment, gsd, names }) {
+	async function mosaicOpen({ project, heights, inAdjustment, gsd, images, names }) {
 		mosaic?.free();
 		mosaic = null;
 		written = [];
-		const model = typeof heights === "object" && heights !== null ? await bytesOf$1(heights.file) : heights;
+		const model = typeof heights === "object" && heights !== null ? inParts(heights.file) : heights;
 		const sidecars = typeof heights === "object" && heights !== null ? heights.sidecars : null;
-		const made = OrthoMosaic.open(await bytesOf$1(project), model, sidecars, gsd ?? void 0, inAdjustment);
+		const made = OrthoMosaic.open(await bytesOf$1(project), model, sidecars, gsd ?? void 0, inAdjustment, images ?? void 0);
 		mosaic = made;
 		const own = made.names;
 		const order = [...made.order()].map((index) => ({
@@ -4497,6 +4507,10 @@
 		const { left, right } = held;
 		return match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings, m.nearest ?? void 0);
 	}
+	function difference() {
+		if (held === null) throw new Error("no pair is held in this worker");
+		return photo_difference(held.left, held.right);
+	}
 	function candidatesOf({ left, right, offset, index, options }) {
 		if (offset === null) throw new Error("these candidates lie around an expected place");
 		const none = new Float64Array();
@@ -4584,6 +4598,7 @@
 		constantOffset: ({ dx, dy }) => constant_offset(dx, dy),
 		match,
 		nearest: ({ left, first, end, right }) => nearest_piece(left, first, end, right),
+		difference,
 		candidates: candidatesOf,
 		parallaxDeviation: ({ index, points, match: { rules, places }, offset, options }) => parallax_deviation(index, points, rules, places, offset, options),
 		gradientCandidates: ({ index, left, right, most }) => gradient_candidates(index, left, right, most),
@@ -4609,7 +4624,7 @@
 		digest: async ({ file }) => digestOf(new Uint8Array(await file.arrayBuffer())),
 		projectOpen: ({ bytes }) => open_pair_project(bytes),
 		projectWrite: (project) => write_pair_project(project),
-		matchesCsv: ({ matches }) => matches_csv(matches)
+		matchesCsv: ({ matches, rejected }) => matches_csv(matches, rejected)
 	};
 	// www/shared/engine/compile.ts
 	async function compiled(address) {

@@ -28,6 +28,8 @@ const OFFSET: f64 = 35.0;
 const NOISE: f64 = 4.0;
 /// The rough position is so far off along both axes together, and the search goes as far beyond the block.
 const OFF_M: f64 = 300.0;
+/// Errors of centres are to be at most so many pixels of the orthophoto, in height times the factor that their covariance says.
+const ASKED_PX: f64 = 0.5;
 /// What the mean square of errors by their standard errors is, and so many standard deviations of its own beyond.
 const HELD: [f64; 2] = [0.8, 1.3];
 const BEYOND_CHANCE: f64 = 4.0;
@@ -146,6 +148,35 @@ impl Photos {
     }
 }
 
+/// Errors of the centres of a block by what is asked of them: half a pixel of the orthophoto in plan, and in height that times the factor by which the
+/// covariance of the centre foretells its height to be less precise than its place in plan, σZ / √((σX² + σY²) / 2).
+#[derive(Default)]
+struct Asked {
+    ratios: [Vec<f64>; 3],
+    factors: Vec<f64>,
+}
+
+impl Asked {
+    fn add(&mut self, error: [f64; 3], standard_errors: [f64; 3]) {
+        let [x, y, z] = standard_errors;
+        let factor = z / (0.5 * (x * x + y * y)).sqrt();
+        self.factors.push(factor);
+        for ((ratios, error), factor) in self.ratios.iter_mut().zip(error).zip([1.0, 1.0, factor]) {
+            ratios.push(error.abs() / (ASKED_PX * GSD_M * factor));
+        }
+    }
+
+    fn print(mut self) {
+        self.ratios.iter_mut().chain([&mut self.factors]).for_each(|all| all.sort_by(f64::total_cmp));
+        let at = |all: &[f64], share: f64| all[((all.len() - 1) as f64 * share).round() as usize];
+        let [x, y, z] = self.ratios.each_ref().map(|all| [0.5, 0.95, 1.0].map(|share| at(all, share)));
+        println!(
+            "    errors of centres by {ASKED_PX} px of the orthophoto, of Z times {:.1}: median, 95 %, worst of X {x:.2?}, Y {y:.2?}, Z {z:.2?}",
+            at(&self.factors, 0.5)
+        );
+    }
+}
+
 /// Sums of squares of X, Y, Z, ω, φ, κ of all images, of the focal lengths of all blocks, and of their changes by the orthophoto: of errors, and of
 /// these by their standard errors. A block has one focal length, and errors of Z follow it: of few blocks their mean is that of few numbers.
 #[derive(Default)]
@@ -165,6 +196,7 @@ impl Sums {
     /// `before`: the block without the orthophoto.
     fn judge(&mut self, run: &BlockRun, before: &BlockRun, scene: &BlockScene) {
         let (truth, model) = (scene.truth(), &run.reconstruction.as_ref().expect("a block that is oriented").models[0]);
+        let mut asked = Asked::default();
         for (image, statistics) in model.images.iter().zip(&model.adjusted.images) {
             let (Some(own), Some(known)) = (run.model.images[*image].pose, truth.images[*image].pose) else { continue };
             let (angles, true_angles) = (own.angles(), known.angles());
@@ -175,8 +207,10 @@ impl Sums {
                 let apart = (angles[k] - true_angles[k]).to_degrees();
                 self.add(3 + k, (apart + 180.0).rem_euclid(360.0) - 180.0, turn[k]);
             }
+            asked.add([0, 1, 2].map(|k| own.position[k] - known.position[k]), place);
             self.images += 1;
         }
+        asked.print();
         let focal = model.adjusted.cameras[0].standard_errors[0].expect("a focal length that was estimated");
         let off = model.adjusted.block.cameras[0].focal_px - truth.cameras[0].focal_px;
         self.add(6, off, focal);

@@ -72,12 +72,14 @@ fn kinds() -> Vec<Kind> {
     let high = BlockFlight { view: tiepoint::BlockView::TwoHeights, relief_m: 70.0, ..town.clone() };
     let kind = |name, flight: &BlockFlight, is_refined| Kind { name, flight: flight.clone(), is_refined };
     vec![
+        kind("refined-town", &town, true),
+        kind("refined-village", &village, true),
+        kind("refined-open", &open, true),
+        kind("refined-heights", &high, true),
         kind("town", &town, false),
         kind("village", &village, false),
         kind("open", &open, false),
         kind("heights", &high, false),
-        kind("refined-town", &town, true),
-        kind("refined-village", &village, true),
     ]
 }
 
@@ -111,9 +113,7 @@ fn kept(folder: &Path, scene: &BlockScene, kind: &Kind) -> Result<Block, Failure
     });
     rendered.into_iter().collect::<Result<Vec<()>, String>>()?;
     let mut input = RunInput { use_gnss: false, ..RunInput::default() };
-    if kind.is_refined {
-        input.settings.refinement.method = RefinementMethod::LeastSquares;
-    }
+    input.settings.refinement.method = if kind.is_refined { RefinementMethod::LeastSquares } else { RefinementMethod::None };
     let work = folder.join("work");
     let run = run_block(&images, &[], input, &work, threads, |_| ())?;
     fs::remove_dir_all(&work)?;

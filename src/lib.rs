@@ -121,9 +121,9 @@ pub use outputs::{
 };
 pub use pair::{
     DescribedImage, FeatureMatchOptions, KnownPhoto, KnownWorst, NoOrientation, OneImage, PairCameras, PairHint, PairImage, PairInput,
-    PairInterior, PairMatching, PairPreset, PairResult, PairSettings, PairVerdict, PhotoInput, VerifiedMatches, describe_image,
-    epipolar_line, judged, match_described_pair, match_features, match_in_rounds, match_pair, observations, orient_matches, photo_interior,
-    photo_marks,
+    PairInterior, PairMatching, PairPreset, PairResult, PairSettings, PairVerdict, PhotoDifference, PhotoInput, VerifiedMatches,
+    describe_image, epipolar_line, judged, judged_observations, match_described_pair, match_features, match_in_rounds, match_pair,
+    observations, orient_matches, photo_interior, photo_marks,
 };
 pub use pipeline::{
     BlockPlaces, BlockRun, CameraRules, CarriedEdits, CarriedSteps, Carrying, ControlTables, ControlTexts, EditNames, EditedRun,

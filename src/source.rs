@@ -1,5 +1,6 @@
 //! Files that are read in parts, where they are needed.
 
+use crate::{Document, Error, FileFault};
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -16,7 +17,7 @@ pub trait FileSource: Send + Sync {
     fn read_at(&self, at: u64, into: &mut [u8]) -> io::Result<()>;
 }
 
-impl FileSource for &[u8] {
+impl FileSource for [u8] {
     fn length(&self) -> u64 {
         self.len() as u64
     }
@@ -25,6 +26,16 @@ impl FileSource for &[u8] {
         let from = usize::try_from(at).ok().and_then(|at| self.get(at..)?.get(..into.len()));
         into.copy_from_slice(from.ok_or(io::ErrorKind::UnexpectedEof)?);
         Ok(())
+    }
+}
+
+impl<S: FileSource + ?Sized> FileSource for &S {
+    fn length(&self) -> u64 {
+        (**self).length()
+    }
+
+    fn read_at(&self, at: u64, into: &mut [u8]) -> io::Result<()> {
+        (**self).read_at(at, into)
     }
 }
 
@@ -78,17 +89,25 @@ impl FileSource for DiskFile {
     }
 }
 
-/// All of a file.
+/// All of a file, which is that document.
 ///
 /// # Errors
-/// As [`FileSource::read_at`].
-pub(crate) fn read_all(source: &dyn FileSource) -> io::Result<Vec<u8>> {
-    let length = usize::try_from(source.length()).map_err(|_| io::ErrorKind::OutOfMemory)?;
-    let mut bytes = Vec::new();
-    bytes.try_reserve_exact(length).map_err(|_| io::ErrorKind::OutOfMemory)?;
-    bytes.resize(length, 0);
-    source.read_at(0, &mut bytes)?;
-    Ok(bytes)
+/// [`Error::UnreadableFile`] as [`FileSource::read_at`], and where memory is short.
+pub(crate) fn read_all(source: &dyn FileSource, document: Document) -> Result<Vec<u8>, Error> {
+    let read = || {
+        let length = usize::try_from(source.length()).map_err(|_| io::ErrorKind::OutOfMemory)?;
+        let mut bytes = Vec::new();
+        bytes.try_reserve_exact(length).map_err(|_| io::ErrorKind::OutOfMemory)?;
+        bytes.resize(length, 0);
+        source.read_at(0, &mut bytes)?;
+        Ok(bytes)
+    };
+    read().map_err(|error: io::Error| unread(document, &error))
+}
+
+/// The error for a file that the host does not give.
+pub(crate) fn unread(document: Document, error: &io::Error) -> Error {
+    Error::UnreadableFile { document, file_place: None, file_fault: FileFault::System { message: error.to_string() } }
 }
 
 /// A place in a file, as libraries that decode want it.
@@ -149,7 +168,7 @@ mod tests {
             reader.read_to_end(&mut rest).unwrap();
             assert_eq!(rest, [98, 99]);
             assert!(reader.seek(SeekFrom::Current(-101)).is_err());
-            assert_eq!(read_all(&reader.source).unwrap(), bytes);
+            assert_eq!(read_all(&reader.source, Document::File).unwrap(), bytes);
         }
         std::fs::remove_file(path).unwrap();
     }

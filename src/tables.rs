@@ -5,6 +5,9 @@ use crate::json;
 use crate::text::{Headed, NumberedRecord, Records, Row, records, shorten, table};
 use crate::{CameraMm, Document, Error, Fiducial, Input, ModelPoint, Observation, Refusal};
 use csv::StringRecord;
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+use std::collections::BTreeSet;
 
 /// Reads fiducial marks: columns `col`, `row` (px, the centre of the top-left pixel at (0.5, 0.5)), `x_mm`, `y_mm`.
 ///
@@ -28,20 +31,38 @@ pub fn parse_observations(csv: &str) -> Result<Vec<Observation>, Error> {
     Ok(rows.into_iter().map(|[xl, yl, xr, yr]| Observation::new([xl, yl], [xr, yr])).collect())
 }
 
+/// What a file of the cameras of a block holds.
+#[derive(Deserialize)]
+struct OfBlock {
+    cameras: Vec<IgnoredAny>,
+}
+
 /// Reads a camera: `{"focal_mm": 153.38, "principal_point_mm": [0, 0], "pixel_mm": 0.01, "radial_distortion": [0, 0, 0],
 /// "tangential_distortion": [0, 0]}`, all but the first optional.
 ///
 /// # Errors
-/// [`Error::InvalidJson`] with the place; [`Error::InvalidOption`] for a value outside its range.
+/// [`Error::InvalidJson`] with the place; [`Error::InvalidOption`] for a value outside its range; [`Error::InvalidInput`] for the cameras of a block.
 pub fn parse_camera(json: &str) -> Result<CameraMm, Error> {
     let text = json.trim_start_matches('\u{feff}');
+    // Of a block there is a file of cameras that looks like it.
+    if let Ok(OfBlock { cameras }) = serde_json::from_str(text) {
+        return refuse(Refusal::CamerasOfBlock { cameras: cameras.len() });
+    }
     let camera: CameraMm = json::from_text(text).map_err(|json_fault| Error::InvalidJson { document: Document::Camera, json_fault })?;
     camera.check().map(|()| camera)
 }
 
-/// Writes matches `[x_left, y_left, x_right, y_right, measure]`, positions in px, one a line under a line of column names.
-pub fn matches_csv(matches: &[[f64; 5]]) -> String {
-    write_table(&["x_left_px", "y_left_px", "x_right_px", "y_right_px", "measure"], matches)
+/// What an orientation made of a match or an observation.
+const USED: &str = "used";
+const REJECTED: &str = "rejected";
+
+/// Writes matches `[x_left, y_left, x_right, y_right, measure]`, positions in px, one a line under a line of column names. `state` says what the
+/// orientation made of a match: used or rejected, by the indices of those that it rejected; empty where there is none.
+pub fn matches_csv(matches: &[[f64; 5]], rejected: Option<&[usize]>) -> String {
+    let rejected: Option<BTreeSet<usize>> = rejected.map(|rejected| rejected.iter().copied().collect());
+    let state = |index: usize| rejected.as_ref().map(|rejected| if rejected.contains(&index) { REJECTED } else { USED });
+    let rows = matches.iter().enumerate().map(|(index, found)| Row::default().numbers(Some(*found)).known(state(index)));
+    table(&["x_left_px", "y_left_px", "x_right_px", "y_right_px", "measure", "state"], rows)
 }
 
 /// Writes points `[x, y, value]`, positions in px, one a line under a line of column names.
@@ -55,7 +76,7 @@ pub fn model_points_csv(points: &[Option<ModelPoint>]) -> String {
     let rows = points.iter().enumerate().map(|(index, point)| {
         let row = Row::default().number(index).numbers(point.map(|point| point.position));
         let row = row.numbers(point.and_then(|point| point.errors));
-        row.known(point.map(|point| if point.accepted { "used" } else { "rejected" }))
+        row.known(point.map(|point| if point.accepted { USED } else { REJECTED }))
     });
     table(&["point", "x", "y", "z", "sigma_x", "sigma_y", "sigma_z", "use"], rows)
 }
@@ -181,14 +202,23 @@ mod tests {
     fn a_camera_is_read_and_checked() {
         let camera = parse_camera("\u{feff}{\"focal_mm\": 24.0, \"pixel_mm\": 0.0039}").unwrap();
         assert_eq!((camera.focal_mm, camera.pixel_mm, camera.principal_point_mm), (24.0, Some(0.0039), [0.0, 0.0]));
+        let of_block = parse_camera(r#"{"cameras": [{"images": "a*", "focal_px": 1500}, {"focal_px": 900}]}"#).unwrap_err();
+        assert_eq!(of_block, Error::InvalidInput { refusal: Refusal::CamerasOfBlock { cameras: 2 } });
+        assert!(of_block.to_string().contains("got 2 cameras of a block"), "{of_block}");
         assert_eq!(parse_camera("{\"focal_mm\": 24,").unwrap_err().code(), "invalid-json");
         assert_eq!(parse_camera("{\"focal_mm\": -24}").unwrap_err().code(), "invalid-option");
     }
 
     #[test]
     fn written_numbers_read_back_as_they_were() {
-        let text = matches_csv(&[[0.5, 1.25, 1.0 / 3.0, 1e-7, 2.5]]);
-        assert_eq!(text, format!("x_left_px,y_left_px,x_right_px,y_right_px,measure\n0.5,1.25,{},{},2.5\n", 1.0 / 3.0, 1e-7));
+        let matches = [[0.5, 1.25, 1.0 / 3.0, 1e-7, 2.5], [1.0, 2.0, 3.0, 4.0, 0.5]];
+        let text = |states: [&str; 2]| {
+            let [first, second] = states;
+            let (x, y) = (1.0 / 3.0, 1e-7);
+            format!("x_left_px,y_left_px,x_right_px,y_right_px,measure,state\n0.5,1.25,{x},{y},2.5,{first}\n1,2,3,4,0.5,{second}\n")
+        };
+        assert_eq!(matches_csv(&matches, Some(&[1])), text(["used", "rejected"]));
+        assert_eq!(matches_csv(&matches, None), text(["", ""]));
         let point = |errors, accepted| Some(ModelPoint { position: [1.0, -0.5, -2.0], errors, accepted });
         assert_eq!(
             model_points_csv(&[point(Some([0.25; 3]), true), None, point(None, false)]),

@@ -295,6 +295,16 @@ fn results_without_control_points_are_in_the_system_too() {
 }
 
 #[test]
+fn heights_above_the_ellipsoid_do_not_go_under_the_name_of_others() {
+    let is_said = |crs: &str, geoid_m: Option<f64>| {
+        let summary: serde_json::Value = serde_json::from_str(&files(&run(crs, geoid_m, None).unwrap())["summary.json"]).unwrap();
+        summary["remarks"].to_string().contains("are above the ellipsoid, as those of the GNSS positions, and not those of ")
+    };
+    assert!(is_said("EPSG:25832+7837", None));
+    assert!(!is_said("EPSG:25832+7837", Some(GEOID_M)) && !is_said(UTM, None));
+}
+
+#[test]
 fn control_points_that_cannot_be_in_the_system_are_refused_with_figures() {
     let told = |crs: &str, write: fn([f64; 3]) -> [f64; 3]| run(crs, None, Some(control(write))).unwrap_err().to_string();
     let wrong_zone = told("EPSG:25833", |place| place);

@@ -1,5 +1,7 @@
 //! Decoding of image files: values, limits, hostile input, EXIF. That wasm gives the same is tested in `decode_everywhere.rs`.
 
+#[path = "decode/counted.rs"]
+mod counted;
 #[path = "decode/headers.rs"]
 mod headers;
 #[path = "decode/jpeg_writer.rs"]
@@ -17,6 +19,8 @@ mod exif;
 mod foreign;
 #[path = "decode/formats.rs"]
 mod formats;
+#[path = "decode/ground_files.rs"]
+mod ground_files;
 #[path = "decode/hostile.rs"]
 mod hostile;
 #[path = "decode/jpeg.rs"]

@@ -386,6 +386,20 @@ test('a pair that was kept shows the match that was being measured, with its too
   assert.deepEqual([kept(null).draft, kept(null).tool], [null, 'look']);
 });
 
+test('a match that is being measured stays with its images where they are swapped', () => {
+  const swapped = (/** @type {any} */ state) => page.reducer.reduce(state, { type: 'swap' });
+  const measured = (/** @type {any} */ draft) => page.reducer.reduce({ ...page.state.INITIAL, tool: 'measure' }, { type: 'draft', draft });
+  const moved = measured({ of: [1, 2, 3, 4], places: { left: [1, 2], right: [5, 4] }, side: 'left' });
+  const { draft, tool } = swapped(moved);
+  assert.deepEqual([draft, tool], [{ of: [3, 4, 1, 2], places: { left: [5, 4], right: [1, 2] }, side: 'right' }, 'measure']);
+  assert.deepEqual(swapped(swapped(moved)).draft, moved.draft);
+  // One that was added by hand has a number; one of which a single point is placed goes on in the same photograph.
+  assert.equal(swapped(measured({ of: 7, places: { left: [1, 2], right: [5, 4] }, side: 'left' })).draft.of, 7);
+  const begun = swapped(measured({ of: null, places: { left: [1.5, 2], right: null }, side: 'right' }));
+  assert.deepEqual(begun.draft, { of: null, places: { left: null, right: [1.5, 2] }, side: 'left' });
+  assert.equal(swapped(page.reducer.reduce(moved, { type: 'draft', draft: null })).draft, null);
+});
+
 test('what an edit did is compared within one run: not with the orientation of other settings, and not waited for where none will come', () => {
   const opens = opened();
   const orient = (/** @type {any} */ state, /** @type {object} */ value) => {

@@ -1,17 +1,21 @@
 //! Pairs whose cameras stand in their files.
 
 use tiepoint::{
-    Camera, CameraCaution, CameraMm, CameraOrigin, CameraUncertainty, ExifCamera, GreyImage, NoOrientation, PairImage, PairInput,
-    PairResult, PairSettings, Side, Strategy, Warning, match_pair,
+    Camera, CameraCaution, CameraMm, CameraOrigin, CameraUncertainty, ExifCamera, Flight, GreyImage, NoOrientation, PairImage, PairInput,
+    PairResult, PairSettings, Side, Strategy, Warning, match_pair, simulate,
 };
 
 /// A pair of grey planes, of which no strategy finds anything.
 fn result(camera: &ExifCamera, input: &PairInput, strategy: Strategy) -> PairResult {
     let grey = GreyImage::new(200, 150, vec![99; 200 * 150]).unwrap();
-    let image = PairImage { grey: grey.view(), exif: Some(camera), mask: None };
+    result_of([&grey, &grey], camera, input, strategy)
+}
+
+fn result_of(images: [&GreyImage; 2], camera: &ExifCamera, input: &PairInput, strategy: Strategy) -> PairResult {
+    let images = images.map(|grey| PairImage { grey: grey.view(), exif: Some(camera), mask: None });
     let mut settings = PairSettings::default();
     settings.matching.strategy = strategy;
-    match_pair(image, image, input, &settings).unwrap()
+    match_pair(images[0], images[1], input, &settings).unwrap()
 }
 
 fn file_camera(origin: CameraOrigin) -> ExifCamera {
@@ -35,16 +39,19 @@ fn a_cropped_photo_counts_as_one_of_an_unknown_camera() {
     let [taken_width_px, taken_height_px, width_px, height_px] = [4000, 3000, 200, 150];
     let cropped = CameraCaution::Cropped { taken_width_px, taken_height_px, width_px, height_px };
     let camera = ExifCamera { pixel_mm: None, cautions: vec![cropped.clone()], ..file_camera(CameraOrigin::FocalLengthAlone) };
-    let found = result(&camera, &PairInput::default(), Strategy::Moments);
-    let reason = found.orientation.unwrap_err();
+    // What is missing of a camera is said where there are matches that it would orient.
+    let photos = simulate(&Flight { width_px: 200, height_px: 220, ..Flight::default() }).unwrap();
+    let reason_of = |camera: &ExifCamera| {
+        result_of([&photos.left, &photos.right], camera, &PairInput::default(), Strategy::Moments).orientation.unwrap_err()
+    };
+    let reason = reason_of(&camera);
     assert!(reason.to_string().contains("taken with 4000 x 3000 px, but the file has 200 x 150 px: it was cropped"), "{reason}");
     assert_eq!(reason, NoOrientation::Altered { side: Side::Left, camera_caution: cropped });
     // Of a camera that no table lists, resized or not, the size of a pixel is what is missing.
     let resized = CameraCaution::Resized { taken_width_px, taken_height_px, width_px, height_px };
     for cautions in [vec![], vec![resized]] {
         let unlisted = ExifCamera { cautions, ..camera.clone() };
-        let found = result(&unlisted, &PairInput::default(), Strategy::Moments);
-        assert_eq!(found.orientation.unwrap_err(), NoOrientation::NoPixelSize { side: Side::Left });
+        assert_eq!(reason_of(&unlisted), NoOrientation::NoPixelSize { side: Side::Left });
     }
 }
 

@@ -11,6 +11,7 @@ before(async () => {
   Object.assign(
     page,
     await pageModules([
+      'block/state/placed-columns',
       'block/files/keep-draft',
       'block/state/links',
       'block/state/reducer',
@@ -77,6 +78,14 @@ test('who left a link out is said: the user, or data snooping', () => {
   assert.equal(useWord({ steps, done: 3 }, 0, 'rejected'), 'rejected as a gross error');
   assert.equal(useWord({ steps, done: 1 }, 3, 'rejected'), 'rejected as a gross error');
   assert.equal(useWord({ steps: [], done: 0 }, 2, 'check'), 'check');
+  // The table says of a link that was measured by hand that it was, whatever became of it.
+  assert.deepEqual(
+    [useWord({ steps, done: 1 }, 3, 'used', true), useWord({ steps, done: 2 }, 0, 'rejected', true), useWord({ steps, done: 1 }, 3, 'rejected', true)],
+    ['measured by hand, used', 'measured by hand, rejected by hand', 'measured by hand, rejected as a gross error'],
+  );
+  const links = { count: 2, at: [1, 2, 1, 2], places: [0, 0, 0, 0, 0, 0], residuals: [0, 0, 9, 9], uses: [2, 2], byHand: [0, 1] };
+  const use = page.placed_columns.linkColumns({ links }, [], 0, 'm').find((/** @type {{ key: string }} */ { key }) => key === 'link-use');
+  assert.deepEqual([use.text(0), use.text(1)], ['rejected as a gross error', 'measured by hand, rejected as a gross error']);
 });
 
 test('a link that is measured is given up by no press where it cannot be taken', () => {

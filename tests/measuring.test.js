@@ -49,6 +49,20 @@ test('a point of which nothing is expected in an image, or whose answer does not
   }
 });
 
+test('where the block is adjusted anew meanwhile, the point is placed where that expects it, and not in the middle', async () => {
+  const { store, asked, measured, place } = begun();
+  const settled = measured.settle(pane, MIDDLE);
+  // As the edit that added the point is followed.
+  store.state.shown = { view: { ...store.state.shown.view } };
+  measured.expected(pane);
+  await null;
+  assert.deepEqual([asked.length, place()], [2, undefined]);
+  asked[0]?.resolve(detail([{ image: 1, x_px: 1, y_px: 2 }]));
+  asked[1]?.resolve(detail([{ image: 1, x_px: 12, y_px: 34 }]));
+  await settled;
+  assert.deepEqual(place(), [12, 34]);
+});
+
 test('a place that comes when the user has gone on to something else places nothing', async () => {
   const { store, asked, measured, place } = begun();
   const settled = measured.settle(pane, MIDDLE);

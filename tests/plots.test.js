@@ -26,8 +26,8 @@ const VIEW = {
     errors: Float64Array.of(3, 4, 9, 0, 1, 2, NaN, NaN, NaN, NaN, NaN, NaN),
   },
   surveyed: [
-    { name: 'G1', role: 'check', point: 2, isUsed: true, difference_m: [3, 4, -2] },
-    { name: 'G2', role: 'control', point: 3, isUsed: false, difference_m: [NaN, NaN, NaN] },
+    { name: 'G1', role: 'check', point: 2, isUsed: true, difference_m: [3, 4, -2], standard_errors_m: [1, 2, 4] },
+    { name: 'G2', role: 'control', point: 3, isUsed: false, difference_m: [NaN, NaN, NaN], standard_errors_m: [null, null, null] },
   ],
 };
 
@@ -69,7 +69,7 @@ test('plots show what is known, and choose what their values are about', () => {
     [5, 1],
   ]);
   assert.deepEqual(values('sigma-height')[1], [9, 2]);
-  assert.deepEqual(values('surveyed-plan'), [['G1 (check)'], [5]]);
+  assert.deepEqual(values('surveyed-plan'), [['G1'], [5]]);
   assert.deepEqual(values('surveyed-height')[1], [-2]);
   assert.deepEqual(values('residuals'), [
     [1, 0],
@@ -109,9 +109,92 @@ test('files of plots name the image and the point of each value', () => {
   // Its axis names the images.
   assert.deepEqual(about('detectable'), [['Point', '1', '1']]);
   assert.deepEqual(about('sigma-height'), [['Point', '1', '2']]);
-  const named = { ...VIEW, surveyed: [{ name: 'G1', role: 'check', point: 0, isUsed: true, difference_m: [3, 4, -2] }] };
+  const named = { ...VIEW, surveyed: [{ name: 'G1', role: 'check', point: 0, isUsed: true, difference_m: [3, 4, -2], standard_errors_m: [1, 2, 4] }] };
   assert.deepEqual(about('residuals', named), [images, ['Point', 'G1', 'G1']]);
   assert.deepEqual(about('images'), []);
+});
+
+const surveyed = (/** @type {string} */ name, /** @type {string} */ role, /** @type {object} */ more) => ({
+  name,
+  role,
+  point: 0,
+  isUsed: true,
+  difference_m: [3, 4, -2],
+  standard_errors_m: [1, 2, 4],
+  ...more,
+});
+
+test('control points are shown by what they are worth left out, apart from check points, with their predicted errors', () => {
+  const leftOut = { left_out: { difference: [0, 6, 9], standard_errors: [1, 2, 3] }, difference_m: [0, 0, 0.001] };
+  const view = {
+    ...VIEW,
+    surveyed: [
+      surveyed('C1', 'check', {}),
+      surveyed('G1', 'control', leftOut),
+      surveyed('G2', 'control', {}),
+      surveyed('C2', 'check', { standard_errors_m: [null, null, null] }),
+      // A check point takes no part in any case.
+      surveyed('C3', 'check', leftOut),
+    ],
+  };
+  const height = page.plots.plotOf('surveyed-height', view, FACTS);
+  assert.deepEqual([...height.y.values], [-2, 9, -2, -2, 0.001]);
+  assert.deepEqual(
+    [...height.whiskers.from].map((value) => Number(value.toFixed(6))),
+    [-9.84, 3.12, -9.84, NaN, -7.839],
+  );
+  assert.deepEqual(
+    [...height.whiskers.to].map((value) => Number(value.toFixed(6))),
+    [5.84, 14.88, 5.84, NaN, 7.841],
+  );
+  const { kinds, of } = height.groups;
+  assert.deepEqual(
+    [0, 1, 2, 3, 4].map((row) => kinds[of(row)].label),
+    ['check point', 'control point, left out', 'control point, in the adjustment', 'check point', 'check point'],
+  );
+  assert.equal(new Set(kinds.map((/** @type {any} */ { mark }) => mark)).size, 3);
+  assert.equal(height.said(1), 'G1, control point, left out: 9.000 m, σ 3.000 m, Δ/σ 3.0');
+  assert.equal(height.said(3), 'C2, check point: −2.000 m');
+  const columns = [...height.about, ...height.more].map((/** @type {any} */ { label, text }) => [label, text(0), text(1), text(3)]);
+  assert.deepEqual(columns, [
+    ['Use', 'check', 'control', 'check'],
+    ['Kind', 'check point', 'control point, left out', 'check point'],
+    ['σ', '4.0000', '3.0000', '–'],
+    ['Δ/σ', '−0.50', '3.00', '–'],
+  ]);
+  // In plan a length, with the standard error in its direction; it ends at 0.
+  const plan = page.plots.plotOf('surveyed-plan', view, FACTS);
+  assert.deepEqual([...plan.y.values], [5, 6, 5, 5, 0]);
+  const along = Math.hypot(3 * 1, 4 * 2) / 5;
+  assert.ok(Math.abs(plan.whiskers.to[0] - 5 - 1.96 * along) < 1e-9 && plan.whiskers.from[4] === 0);
+  // Whiskers are within the picture, and so is zero.
+  const { y } = page.axes.endsOf(height, 400, 300);
+  assert.ok(y[0] < -9.84 && y[1] > 14.88);
+});
+
+test('names of a plot are all written while they fit, upright where they are many, and never by turns alone', () => {
+  const { laidOut, namesWritten, ROOM } = page.axes;
+  const measure = (/** @type {string} */ text) => 6 * text.length;
+  const named = (/** @type {number} */ many) => ({ x: { names: Array.from({ length: many }, (_, i) => `P${i + 1}`) } });
+  const few = laidOut(named(17), 900, measure);
+  assert.deepEqual([few.upright, few.room.bottom, few.room.top, few.legend], [false, ROOM.bottom, ROOM.top, []]);
+  const many = laidOut(named(40), 900, measure);
+  assert.ok(many.upright && many.room.bottom > ROOM.bottom);
+  assert.deepEqual(namesWritten([-0.5, 3.5], ['a', 'b', 'c', 'd'], 20), [0, 1, 2, 3]);
+  assert.deepEqual(namesWritten([1, 3.5], ['a', 'b', 'c', 'd'], 20), [1, 2, 3]);
+  // Control and check points often come in turns.
+  const steps = [13, 8, 5, 1].map((apart) => namesWritten([0, 99], new Array(100).fill(''), apart)[1]);
+  assert.deepEqual(steps, [1, 3, 3, 13]);
+  // The legend has the lines that it needs.
+  const groups = { kinds: [{ label: 'check point' }, { label: 'control point, left out' }] };
+  const legend = (/** @type {number} */ width) => laidOut({ x: {}, groups, whiskers: {} }, width, measure).legend.map((/** @type {any} */ { line }) => line);
+  assert.deepEqual(
+    [legend(900), legend(360)],
+    [
+      [0, 0, 0],
+      [0, 0, 1],
+    ],
+  );
 });
 
 test('standard errors lie along the block in the system of the results, which the axis names', () => {

@@ -3,8 +3,8 @@
 use super::sampling::cases;
 use super::scene::{Scene, scene, selected};
 use tiepoint::{
-    BlockFlight, ControlRole, Datum, GroundControlPoint, ImageObservation, KnownCamera, ObservedPosition, Reconstruction,
-    geographic_from_local,
+    BlockFlight, BlockOptions, BlockWarning, ControlRole, Datum, GroundControlPoint, ImageObservation, KnownCamera, ObservationVerdict,
+    ObservedPosition, Reconstruction, ReconstructionOptions, geographic_from_local, tie_points,
 };
 
 /// Where the simulated blocks lie on the earth.
@@ -383,6 +383,36 @@ fn what_leaves_the_turn_of_a_block_open_is_named() {
     let reconstruction = scene.reconstruct(&selected());
     assert!(says(&reconstruction, &["The GCPs", "determine the rotation of the whole block"]), "{:?}", reconstruction.models[0].warnings);
     assert!(!says(&reconstruction, &["GNSS positions"]), "{:?}", reconstruction.models[0].warnings);
+}
+
+/// A block whose points are all given, with three rays or more, of which fewer than half are so many px off in either coordinate: whether it is said that
+/// many observations are wrong, how many do not take part, and of how many.
+fn of_wrong_observations(noise_px: f64, wrong_px: f32) -> (bool, usize, usize) {
+    let mut scene = scene(&BlockFlight { strips: 3, exposures: 5, features: 600, noise_px, ..BlockFlight::default() }, 1.0);
+    let options = BlockOptions { min_rays: 3, ..BlockOptions::default() };
+    scene.points = tie_points(&scene.block.matches().unwrap(), &scene.block.image_features(), &options).unwrap().0;
+    let size = [scene.block.width_px, scene.block.height_px].map(|side| side as f32);
+    for point in 0..scene.points.len() {
+        let rays = scene.points.rays(point);
+        for (nth, ray) in rays.iter().enumerate().take((rays.len() - 1) / 2) {
+            let at = &mut scene.block.features[ray.image as usize][ray.feature as usize];
+            (0..2).for_each(|k| at[k] = (at[k] + wrong_px.copysign(error(10 * point + nth, k) as f32)).clamp(0.0, size[k]));
+        }
+    }
+    let reconstruction = scene.reconstruct(&ReconstructionOptions::default());
+    scene.report(&format!("noise {noise_px} px, {wrong_px} px off"), &reconstruction);
+    let model = &reconstruction.models[0];
+    let rejected = model.adjusted.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count() + model.rejected.len();
+    let says_so = model.warnings.iter().any(|warning| matches!(warning, BlockWarning::ManyRejected { .. }));
+    (says_so, rejected, model.adjusted.rays.len() + model.rejected.len())
+}
+
+#[test]
+fn many_wrong_observations_make_a_block_weak() {
+    for (noise_px, wrong_px) in [(0.3, 6.0), (0.03, 6.0), (0.03, 2.0)] {
+        let (says_so, rejected, observations) = of_wrong_observations(noise_px, wrong_px);
+        assert!(says_so, "{noise_px} px, {wrong_px} px: {rejected} of {observations}");
+    }
 }
 
 #[test]

@@ -345,3 +345,22 @@ fn a_report_names_its_cameras_and_where_they_come_from() {
     assert!(in_px.contains("<th>Focal length, px</th>") && !in_px.contains("<th>Focal length, mm</th>"));
     assert!(in_px.contains("The size of a pixel is not known"));
 }
+
+#[test]
+fn a_strategy_that_is_not_oriented_has_used_no_matches_and_a_run_by_it_says_what_would_do() {
+    let nowhere = |settings: &mut PairSettings, _: f64| {
+        settings.matching.strategy = Strategy::Moments;
+        // Nothing is found that is not where it is expected to the pixel.
+        (settings.matching.search, settings.matching.max_measure) = (1, 0.01);
+    };
+    let mut report = report_with(&small(), "small", nowhere);
+    assert_eq!(report.verdict(), None);
+    let html = report.html(Texts::english()).unwrap();
+    let verdict = report.verdict().unwrap();
+    assert!(verdict.to_string().starts_with("Not oriented: "), "{verdict}");
+    let row = html.split("<th>matches used</th>").nth(1).unwrap().split("</tr>").next().unwrap();
+    let cells: Vec<&str> = row.split("<td>").skip(1).map(|cell| cell.split("</td>").next().unwrap()).collect();
+    assert_eq!(cells[0], "not oriented", "{row}");
+    assert!(cells.iter().any(|cell| cell.parse::<usize>().is_ok_and(|used| used > 100)), "{row}");
+    assert!(html.contains("the strategy “auto”"), "no hint");
+}

@@ -215,6 +215,32 @@ test('a control point says where it would be without itself, a check point does 
     ['0.010', '−0.020', '0.030', '0.004', '0.005', '0.006'],
   );
   assert.ok(own.every(([, , help, said]) => said(1) === '–' && help !== ''));
+  // What is larger than predicted: of a control point without itself.
+  const ratios = columns.filter((/** @type {{ key: string }} */ { key }) => key.startsWith('difference-ratio'));
+  assert.deepEqual(
+    ratios.map((/** @type {any} */ { label, total, text: said }) => [label, total, said(0), said(1)]),
+    [
+      ['Δ/σ X', 'rms', '2.5', '10.0'],
+      ['Δ/σ Y', 'rms', '−4.0', '20.0'],
+      ['Δ/σ Z', 'rms', '5.0', '15.0'],
+    ],
+  );
+});
+
+test('the table of control and check points has the root mean squares of both apart, without those that are not used', () => {
+  const surveyed = ['control', 'check', 'control', 'check'].map((role, i) => ({ name: `G${i}`, role, isUsed: i < 3, position: [1, 2, 3] }));
+  const { columns } = page.columns.rowsOf('surveyed', {
+    view: { ...VIEW, surveyed },
+    given: [{ name: 'G9', role: 'check', images: 1, place: null, position: [1, 2, 3] }],
+  });
+  const { parts } = columns.find((/** @type {{ key: string }} */ { key }) => key === 'use');
+  assert.deepEqual(
+    parts.map((/** @type {any} */ { label, has }) => [label, [0, 1, 2, 3, 4].filter(has)]),
+    [
+      ['control', [0, 2]],
+      ['check', [1]],
+    ],
+  );
 });
 
 test('an image that a filter leaves out takes its pairs with it', () => {

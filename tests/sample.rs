@@ -167,7 +167,7 @@ fn the_matches_are_the_same_to_the_last_bit() {
         let result = run(options);
         let p = result.orientation.as_ref().unwrap().parameters;
         let orientation = [p.omega_deg, p.phi_deg, p.kappa_deg, p.by_mm, p.bz_mm].map(|v| v.to_string()).join(",");
-        let text = format!("{}{orientation}\n", matches_csv(&rows(result)));
+        let text = format!("{}{orientation}\n", matches_csv(&rows(result), Some(&result.orientation.as_ref().unwrap().rejected)));
         #[cfg(not(target_arch = "wasm32"))]
         if std::env::var("TIEPOINT_GOLDEN").is_ok_and(|v| v == "write") {
             std::fs::write(format!("{}/tests/golden/{name}", env!("CARGO_MANIFEST_DIR")), &text).unwrap();

@@ -49,6 +49,15 @@ fn weighted_image_measurements_keep_the_standard_error_that_was_stated() {
 }
 
 #[test]
+fn factors_are_told_where_weights_stay_as_stated() {
+    let simulated = Simulated::new(&Case { factors: [3.0, 1.0, 1.0, 1.0, 1.0], ..RIGHT }, 2).unwrap();
+    let adjusted = adjust_block(&simulated.block, &AdjustmentOptions { datum: RIGHT.datum, ..AdjustmentOptions::default() }).unwrap();
+    let marks = of(&adjusted, ObservationGroup::Marks);
+    assert!(adjusted.components.len() == 5 && adjusted.components.iter().all(|component| !component.applied), "{:?}", adjusted.components);
+    assert!((marks.factor / 3.0 - 1.0).abs() < 0.2 && marks.interval.unwrap()[0] > 1.0 && !marks.held, "{marks:?}");
+}
+
+#[test]
 fn sigma0_is_that_of_tie_points_however_well_others_fit() {
     // A third of all rays are of places whose standard errors are stated five times too large: they neither lower σ₀ nor cost good tie points.
     let case = Case { factors: [0.2, 1.0, 1.0, 1.0, 1.0], control: 150, ..RIGHT };

@@ -4,7 +4,7 @@ use super::known::{self, input};
 use std::sync::OnceLock;
 use tiepoint::{
     CameraMm, Error, GreyImage, KnownWorst, Match, NoOrientation, PairImage, PairInput, PairInterior, PairResult, PairSettings,
-    PairVerdict, Refusal, SAMPLE_SEED, Side, Strategy, Warning, judged, match_pair, sample_pair,
+    PairVerdict, PhotoDifference, Refusal, SAMPLE_SEED, Side, Strategy, Warning, judged, match_pair, sample_pair,
 };
 
 fn matched(left: &GreyImage, right: &GreyImage, mask: Option<&GreyImage>, input: &PairInput) -> PairResult {
@@ -27,7 +27,9 @@ fn found() -> &'static PairResult {
 fn a_good_pair_is_oriented_with_nothing_set() {
     let sample = known::sample();
     let result = found();
-    let PairVerdict::Oriented { points, sigma0_px, kappa_deg, half_width_deg, worst, worst_half_width_deg } = result.verdict() else {
+    let PairVerdict::Oriented { points, sigma0_px: Some(sigma0_px), kappa_deg, half_width_deg, worst, worst_half_width_deg, .. } =
+        result.verdict()
+    else {
         panic!("{}", result.verdict())
     };
     assert_eq!(points, result.matching.matches.len() - result.orientation.as_ref().unwrap().rejected.len());
@@ -76,6 +78,24 @@ fn photos_of_different_towns_and_one_photo_twice_are_not_oriented() {
         assert!(matches!(result.verdict(), PairVerdict::NotOriented { .. }), "{}", result.verdict());
         assert!(result.verdict().to_string().starts_with("Not oriented: "), "{}", result.verdict());
     }
+}
+
+#[test]
+fn where_hardly_anything_matches_the_missing_camera_is_not_the_reason() {
+    let sample = known::sample();
+    let level = GreyImage::from_fn(sample.right.width(), sample.right.height(), |_, _| 128).unwrap();
+    let mut settings = PairSettings::default();
+    settings.matching.strategy = Strategy::Moments;
+    for given in [PairInput::default(), input(sample)] {
+        let result = matched_by([&sample.left, &level], None, &given, &settings);
+        assert_eq!(result.orientation, Err(NoOrientation::TooFewMatches { matches: 0, needed: 5 }));
+    }
+    let [four, five] = [4, 5].map(NoOrientation::of_few);
+    assert_eq!(
+        four.unwrap().to_string(),
+        "only 4 matches were found, and an orientation takes at least 5 (do both photos show the same ground?)"
+    );
+    assert_eq!(five, None);
 }
 
 #[test]
@@ -228,4 +248,26 @@ fn without_a_camera_a_pair_is_oriented_only_where_it_determines_the_focal_length
     let points = Some([result.left.points.len(), result.right.points.len()]);
     let found = judged(determined, &result.matching.matches, result.interior.as_ref().unwrap(), points);
     assert!(!found.warnings.contains(&Warning::UnknownCamera), "{:?}", found.warnings);
+}
+
+#[test]
+fn how_photos_lie_to_each_other_is_found_however_they_are_turned() {
+    let sample = known::sample();
+    let (right, [width, height]) = (sample.right.view(), [sample.right.width(), sample.right.height()]);
+    let upright = PhotoDifference::between(sample.left.view(), right).unwrap().unwrap();
+    assert!((upright.turn_deg - sample.truth.kappa_deg).abs() < 1.0 && (upright.scale - 1.0).abs() < 0.03, "{upright:?}");
+    let [dx, dy] = found_by_correlation();
+    assert!((upright.offset_px[0] - dx).abs() < 8.0 && (upright.offset_px[1] - dy).abs() < 8.0, "{upright:?}, {dx}, {dy}");
+    // A quarter turn clockwise on the screen.
+    let quarter = GreyImage::from_fn(height, width, |col, row| right.at(row, height - 1 - col)).unwrap();
+    let turned = PhotoDifference::between(sample.left.view(), quarter.view()).unwrap().unwrap();
+    assert!((turned.turn_deg - upright.turn_deg - 90.0).abs() < 0.5, "{turned:?}");
+    let level = GreyImage::from_fn(width, height, |_, _| 128).unwrap();
+    assert_eq!(PhotoDifference::between(sample.left.view(), level.view()), Ok(None));
+}
+
+/// The offset of the sample as it is estimated where it is needed.
+fn found_by_correlation() -> [f64; 2] {
+    let sample = known::sample();
+    tiepoint::estimate_offset(sample.left.view(), sample.right.view()).median_px
 }

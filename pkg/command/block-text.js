@@ -1,7 +1,7 @@
 // @ts-check
 /** What is printed of a block that was computed. */
 
-import { fixed, listed, table } from './text.js';
+import { fixed, listed, significant, table } from './text.js';
 
 /** @typedef {import('../node.js').Summary} Summary */
 
@@ -38,12 +38,21 @@ export function describe(out, { verdict, images, cameras, pairs, groups, points,
         ? [
             ['sigma0 [px]', fixed(first.sigma0_px, 3)],
             ['residuals, RMS [px]', fixed(first.rmse_px, 3)],
+            ...(first.position_errors_m
+              ? [
+                  [
+                    `standard errors of positions x y z, median [${first.in_system ? 'm' : 'units of the block'}]`,
+                    first.position_errors_m.map(significant).join(' '),
+                  ],
+                ]
+              : []),
+            ...(first.angle_errors_deg ? [['standard errors of omega phi kappa, median [deg]', first.angle_errors_deg.map(significant).join(' ')]] : []),
           ]
         : []),
       ...(first?.components ?? []).map(({ name, factor, interval, applied }) => [
-        `standard errors by residuals / stated, ${name}`,
+        `errors by residuals / stated: ${name}`,
         interval
-          ? `${fixed(factor, 2)} (95 %: ${interval.map((v) => fixed(v, 2)).join(' to ')})${applied ? ', weights follow' : ''}`
+          ? `${fixed(factor, 2)} (95 %: ${interval.map((v) => fixed(v, 2)).join(' to ')})${applied ? ', weights follow' : isOutside(interval) ? ', not in weights' : ''}`
           : 'held at 1: too little redundancy',
       ]),
       ...(first?.systematic ?? []).map(({ name, estimate, standard_errors, verdict }) => [
@@ -77,6 +86,9 @@ export function describe(out, { verdict, images, cameras, pairs, groups, points,
     `written to ${out}`,
   ];
 }
+
+/** Whether what was stated is not among what the residuals allow.  @param {number[]} interval */
+const isOutside = ([low = 0, high = Infinity]) => low > 1 || high < 1;
 
 /** A model by its number and images, as images without points in common make models of their own.  @param {import('../node.js').ModelSummary} model @param {number} index @returns {string[]} */
 function describeModel({ names, sigma0_px, warnings }, index) {

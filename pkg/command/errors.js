@@ -22,10 +22,10 @@ export class DataError extends Error {}
 
 /**
  * What the crate threw, where it refused something.
- * @typedef {Error & { code: string, usage: boolean }} Refusal
+ * @typedef {Error & { code: string, usage: boolean, error: { kind: string } }} Refusal
  * @param {unknown} error @returns {error is Refusal}
  */
-const isRefusal = (error) => error instanceof Error && error.name === 'TiepointError';
+export const isRefusal = (error) => error instanceof Error && error.name === 'TiepointError';
 
 /**
  * Calls the crate with what a file holds; its refusals then name the file and count as bad data.

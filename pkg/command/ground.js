@@ -5,11 +5,11 @@ import { statSync } from 'node:fs';
 import { basename, dirname, extname, join } from 'node:path';
 import { image_position, OrthophotoReference, positions_of_images, remarks_of_positions } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
-import { filesIn, inParts, isFile, isFolder, readBytes, readText } from './files.js';
+import { filesIn, inParts, isFile, isFolder, readText } from './files.js';
 import { path, valueOption } from './options.js';
 
 /** @typedef {import('../node.js').Given<import('../node.js').Sidecars>} Sidecars */
-/** @typedef {{ file: string | undefined, heights: Uint8Array | number, sidecars: Sidecars }} Ground `file`: where the heights come from */
+/** @typedef {{ file: string | undefined, heights: Uint8Array | import('../node.js').FileInParts | number, sidecars: Sidecars }} Ground `file`: where the heights come from */
 
 export const ORTHOPHOTO_HELP =
   'The reference: a GeoTIFF in a projected system, or an image with a world file beside it (.tfw, .jgw, .pgw, .wld) and perhaps its system (.prj);';
@@ -30,7 +30,7 @@ export const GROUND_OPTIONS = [
 export function groundOf(values) {
   const [file, level] = [values.get('heights'), values.get('level')];
   if (typeof file === 'string' && level !== undefined) throw new UsageError('--heights and --level are both given; allowed: one of them');
-  if (typeof file === 'string') return { file, heights: readBytes(file), sidecars: sidecarsOf(file) };
+  if (typeof file === 'string') return { file, heights: inParts(file), sidecars: sidecarsOf(file) };
   return level === undefined ? null : { file: undefined, heights: Number(level), sidecars: {} };
 }
 

@@ -24,7 +24,7 @@ export const interior = {
   options: [MODEL, JSON_FLAG],
   details:
     'FIDUCIALS.csv: columns col,row,x_mm,y_mm, one line per mark. x_mm = a col + b row + tx, y_mm = d col + e row + ty. ' +
-    'JSON: model, parameters [[a, b, tx], [d, e, ty]], residuals_mm, sigma0_mm, standard_errors (null without redundancy), covariance (of the three parameters of a row, the same for both rows; null without redundancy and for a similarity), degrees_of_freedom, mirrored (whether the marks lie mirrored in the scan).',
+    'JSON: model, parameters [[a, b, tx], [d, e, ty]], residuals_mm, sigma0_mm, standard_errors and half_widths_95 (null without redundancy), covariance (of the three parameters of a row, the same for both rows; null without redundancy and for a similarity), degrees_of_freedom, mirrored (whether the marks lie mirrored in the scan).',
   run({ positionals: [file = ''], values }) {
     const text = readText(file);
     const model = /** @type {FiducialModel} */ (values.get('model') ?? 'affine');
@@ -42,16 +42,16 @@ function isMirrored({ parameters: [[a, b], [d, e]] }) {
 
 /** @param {import('../node.js').FiducialOrientation} result @returns {string[]} */
 function describe(result) {
-  const { parameters, standard_errors: errors, residuals_mm: residuals } = result;
+  const { parameters, standard_errors: errors, half_widths_95: half, residuals_mm: residuals } = result;
   const names = [
     ['a', 'b', 'tx [mm]'],
     ['d', 'e', 'ty [mm]'],
   ];
-  const lines = names.flatMap((row, r) => row.map((name, c) => [name, fixed(parameters[r]?.[c], 8), fixed(errors?.[r]?.[c], 8)]));
+  const lines = names.flatMap((row, r) => row.map((name, c) => [name, fixed(parameters[r]?.[c], 8), fixed(errors?.[r]?.[c], 8), fixed(half?.[r]?.[c], 8)]));
   return [
     `${result.model} transformation: x = a col + b row + tx, y = d col + e row + ty`,
     '',
-    table([['', 'value', 'std. error'], ...lines]),
+    table([['', 'value', 'std. error', '95 % ±'], ...lines]),
     '',
     table([['mark', 'vx [mm]', 'vy [mm]'], ...residuals.map(([vx, vy], i) => [i + 1, fixed(vx, 4), fixed(vy, 4)])]),
     '',

@@ -1,7 +1,7 @@
 // @ts-check
 import { withText } from '../messages.js';
 import { cameraWanted } from '../pair/camera-wanted.js';
-import { defaults, matches_csv, message, pair_hint, pair_preset, pair_presets, points_csv, resolved, write_pair_project } from '../node.js';
+import { defaults, matches_csv, message, pair_hint, pair_preset, pair_presets, photo_difference, points_csv, resolved, write_pair_project } from '../node.js';
 import { noteNotActing } from './acting.js';
 import { checkSize } from './block-camera.js';
 import { VERDICT_CODES } from './errors.js';
@@ -27,7 +27,7 @@ const OPTIONS = [
   path(
     'out',
     'DIR',
-    'Folder that receives project.tiepoint (all of the pair, which the page opens), matches.csv, left-points.csv, right-points.csv and result.json.',
+    'Folder that receives project.tiepoint (all of the pair, which the page opens), matches.csv (each match with its state, used or rejected), left-points.csv, right-points.csv and result.json.',
   ),
   word(
     'preset',
@@ -49,7 +49,7 @@ export const match = {
   options: OPTIONS,
   details:
     "Without --camera the focal length comes from the images' XMP and EXIF data (file_cameras, each with its origin and cautions); without either the matches are given and the orientation is null, with the " +
-    'reason. JSON: verdict (oriented, weak or not_oriented, with what decided), counts (left, right, matches, rejected by rule), matches [[x_left, y_left, x_right, y_right, measure], …], fits (of each match correlation, covariance xx, xy, yy of the right position in px² and iterations of least squares matching, null of one that was not matched so and where none was), offset_px (median right minus left position, or null), orientation as `tiepoint orient` ' +
+    'reason. JSON: verdict (oriented, weak or not_oriented, with what decided), hint (what else would do, with by how much the photos are turned, scaled or displaced, or null), counts (left, right, matches, rejected by rule), matches [[x_left, y_left, x_right, y_right, measure], …], fits (of each match correlation, covariance xx, xy, yy of the right position in px² and iterations of least squares matching, null of one that was not matched so and where none was), offset_px (median right minus left position, or null), orientation as `tiepoint orient` ' +
     'prints it, or null with no_orientation, which says why; rejected indices count matches from 0. With gradients also geometry (model, threshold_px, sigma_px, ' +
     'degenerate, focal) or null with no_geometry; where no camera is known, one is assumed. interior is the interior orientation of both photos, pixel_mm the size of a left pixel at photo scale (both null where there is none), settings all settings with what follows from them, score with --truth how near matches and orientation are to it. orientation.cameras says what is known of each camera, but for those known without error: with an uncertainty of zeros, or with none and fiducial marks.',
   async run(call) {
@@ -73,7 +73,8 @@ export const match = {
     const known = truth && { truth, score: matchScoreOf(output, truth, right) };
     const score = known && scoreOf(output, known.truth, known.score);
     const cameras = [left, right].map((photo) => photo.info().camera);
-    const result = { ...resultOf(output, settings, cameras), ...(score ? { score } : {}) };
+    const hint = hintOf(output, pair);
+    const result = { ...resultOf(output, settings, cameras, hint), ...(score ? { score } : {}) };
     const written = progress.step('writing', () =>
       typeof out === 'string' ? write(out, projectOf({ images: [leftPath, rightPath], masks: maskPaths(call) }, pair, output, known), result) : [],
     );
@@ -82,7 +83,7 @@ export const match = {
     if (values.has('json')) printJson(result);
     else
       print(
-        ...describe(output, settings, input),
+        ...describe(output, hint, input),
         ...(input.camera ? [] : describeFileCameras([leftPath, rightPath], cameras)),
         ...(score ? ['', ...describeScore(score, output)] : []),
         ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []),
@@ -100,11 +101,21 @@ function noteWithoutEffect(values) {
   if (given.length > 0) note(`without effect, since the camera is not known: ${given.join(', ')}`);
 }
 
-/** The JSON form.  @param {PairOutput} output @param {import('../node.js').Given<import('../node.js').PairSettings>} settings @param {readonly import('./file-cameras.js').FileCamera[]} cameras of the files */
-export function resultOf(output, settings, cameras) {
+/**
+ * What else would do for a pair, by how its photos lie to each other; null where nothing is known to.
+ * @param {PairOutput} output @param {{ left: import('../node.js').Photo, right: import('../node.js').Photo, settings: import('../node.js').Given<import('../node.js').PairSettings> }} pair
+ * @returns {import('../node.js').PairHint | null}
+ */
+function hintOf({ verdict, offset }, { left, right, settings }) {
+  return pair_hint(verdict, settings) && pair_hint(verdict, settings, photo_difference(left, right), offset);
+}
+
+/** The JSON form.  @param {PairOutput} output @param {import('../node.js').Given<import('../node.js').PairSettings>} settings @param {readonly import('./file-cameras.js').FileCamera[]} cameras of the files @param {import('../node.js').PairHint | null} hint */
+export function resultOf(output, settings, cameras, hint) {
   const { matches, ...rejected } = output.match.counts;
   return {
     verdict: withText('pair_verdict', output.verdict),
+    hint: hint && withText('pair_hint', hint),
     counts: { left: output.left.counts, right: output.right.counts, matches, rejected },
     matches: rows(output.match.matches, 5),
     fits: output.match.fits.every(Number.isNaN) ? null : rows(output.match.fits, 5).map((fit) => (fit.every(Number.isNaN) ? null : fit)),
@@ -125,7 +136,7 @@ function write(folder, project, result) {
   const { output } = project;
   return [
     writeInto(folder, 'project.tiepoint', write_pair_project(project)),
-    writeInto(folder, 'matches.csv', matches_csv(output.match.matches)),
+    writeInto(folder, 'matches.csv', matches_csv(output.match.matches, output.orientation?.rejected)),
     writeInto(folder, 'left-points.csv', points_csv(output.left.points)),
     writeInto(folder, 'right-points.csv', points_csv(output.right.points)),
     writeInto(folder, 'result.json', `${JSON.stringify(result)}\n`),
@@ -175,7 +186,7 @@ function describeGeometry({ match: { geometry, no_geometry: none }, no_orientati
     focal,
   } = geometry;
   return [
-    `geometry of the two views: ${message('two_view_model', { kind })}, standard error ${fixed(sigma, 2)} px, threshold ${fixed(threshold, 2)} px`,
+    `geometry of the two views: ${message('two_view_model', { kind }, kind === 'calibrated' && focal ? 'estimated' : null)}, standard error ${fixed(sigma, 2)} px, threshold ${fixed(threshold, 2)} px`,
     ...(degenerate && !SAYS_THAT_THERE_IS_NO_BASE.includes(reason?.kind ?? '') ? [message('degeneracy', degenerate)] : []),
     ...(focal ? [`focal length by the matches ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px`] : []),
   ];
@@ -191,11 +202,10 @@ function cameraHint(verdict, input) {
 
 /**
  * The outcome in text.
- * @param {PairOutput} output @param {import('../node.js').Given<import('../node.js').PairSettings>} settings @param {import('../node.js').Given<import('../node.js').PairInput>} input @returns {string[]}
+ * @param {PairOutput} output @param {import('../node.js').PairHint | null} hint @param {import('../node.js').Given<import('../node.js').PairInput>} input @returns {string[]}
  */
-export function describe(output, settings, input) {
+export function describe(output, hint, input) {
   const { matches, ...rejected } = output.match.counts;
-  const hint = pair_hint(output.verdict, settings);
   return [
     message('pair_verdict', output.verdict),
     ...(hint ? [`hint: ${message('pair_hint', hint)}`] : []),

@@ -2,7 +2,7 @@
 import { basename, dirname } from 'node:path';
 import { withText } from '../messages.js';
 import { defaults, message, model_points, model_points_csv, orient_relative, parse_observations } from '../node.js';
-import { about, UsageError } from './errors.js';
+import { about, isRefusal, UsageError, VERDICT_CODES } from './errors.js';
 import { readText, writeInto } from './files.js';
 import { groupOptions, JSON_FLAG, path, settingsOf, valueOption } from './options.js';
 import { print, printJson, rows } from './output.js';
@@ -23,26 +23,46 @@ export const orient = {
   options: OPTIONS,
   details:
     'OBSERVATIONS.csv: columns x_left_mm,y_left_mm,x_right_mm,y_right_mm, x to the right and y up, principal point at 0, 0. ' +
-    '--focal-mm is required. JSON: omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, total_standard_errors (with what neighbouring matches share and the interior orientations add, null where not known), half_widths_95 (of the intervals that hold the unknowns in 95 % of cases), sigma0_mm, variance_left (what the rejection has left of the variance of good observations, by which sigma0 squared and cofactors are divided), degrees_of_freedom, ' +
-    'iterations, cofactors and correlations (of omega, phi, kappa, by, bz), condition, warnings, global_test, base_ellipse_mm, base_ellipse_95_mm, noncentrality (delta0 of the minimal detectable size), residuals_mm [[vxl, vyl, vxr, vyr], …], ' +
+    '--focal-mm is required. The exit code is that of the verdict: 0 oriented, 3 weak, 4 not oriented. JSON: verdict (as of `tiepoint match`; the rest is absent where it is not_oriented), omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, total_standard_errors (with what neighbouring matches share and the interior orientations add, null where not known), half_widths_95 (of the intervals that hold the unknowns in 95 % of cases), sigma0_mm, variance_left (what the rejection has left of the variance of good observations, by which sigma0 squared and cofactors are divided), degrees_of_freedom, ' +
+    'iterations, cofactors and correlations (of omega, phi, kappa, by, bz), condition, warnings, global_test, base_ellipse_mm, base_ellipse_95_mm, noncentrality (delta0 of the minimal detectable size: of a test at alpha0, with fewer than 8 degrees of freedom at alpha0 by the number of observations), residuals_mm [[vxl, vyl, vxr, vyr], …], ' +
     'points [[y-parallax mm, redundancy, w, detectable mm, external reliability, weight, X, Y, Z mm], …], rejected (indices from 0). ' +
     '--points FILE: columns point (index from 0), x, y, z, sigma_x, sigma_y, sigma_z, use (used or rejected); x and y along the axes of the left photo, which looks along -z from 0, 0, 0; the standard errors include those of the orientation.',
   run({ positionals: [file = ''], values }) {
     const focal = values.get('focal-mm');
     if (typeof focal !== 'number') throw new UsageError('--focal-mm is missing: give the focal length in mm');
+    if (values.has('base-length') && !values.has('points')) throw new UsageError('--base-length needs --points');
     const settings = settingsOf(OPTIONS, values, defaults());
     const text = readText(file);
     const observations = about(file, () => parse_observations(text));
-    const result = orient_relative(observations, focal, settings.orientation);
+    const { verdict, orientation } = oriented(observations, focal, settings.orientation);
     const out = values.get('points');
-    if (typeof out === 'string') {
+    if (typeof out === 'string' && orientation) {
       const points = model_points(observations, focal, settings.orientation, Number(values.get('base-length') ?? 1));
       writeInto(dirname(out), basename(out), model_points_csv(points));
-    } else if (values.has('base-length')) throw new UsageError('--base-length needs --points');
-    if (values.has('json')) printJson(orientationOf(result));
-    else print(...describeOrientation(result, null));
+    }
+    if (values.has('json')) printJson({ verdict: withText('pair_verdict', verdict), ...(orientation && orientationOf(orientation)) });
+    else print(message('pair_verdict', verdict), ...(orientation ? ['', ...describeOrientation(orientation, null)] : []));
+    return VERDICT_CODES[verdict.kind];
   },
 };
+
+/** Refusals that say that observations have no orientation. Others say that something is no observation. */
+const HAVE_NONE = ['too-few', 'degenerate', 'not-converged'];
+
+/**
+ * The orientation of observations, or null, with the verdict on it.
+ * @param {Float64Array} observations @param {number} focal @param {import('../node.js').Given<import('../node.js').OrientationOptions>} options
+ * @returns {{ verdict: import('../node.js').PairVerdict, orientation: RelativeOrientation | null }}
+ */
+function oriented(observations, focal, options) {
+  try {
+    const orientation = orient_relative(observations, focal, options);
+    return { verdict: orientation.verdict, orientation };
+  } catch (error) {
+    if (!isRefusal(error) || !HAVE_NONE.includes(error.code)) throw error;
+    return { verdict: { kind: 'not_oriented', no_orientation: { kind: 'refused', error: error.error } }, orientation: null };
+  }
+}
 
 /** The five unknowns: what they are called, and where they stand in an orientation. */
 export const UNKNOWNS = /** @type {const} */ ([
@@ -70,7 +90,7 @@ const globalTest = ({ statistic, lower, upper, passed }) =>
 
 /** @param {import('../node.js').ErrorEllipse} e */
 const ellipse = ({ semi_major: major, semi_minor: minor, bearing_deg: bearing }) =>
-  `by and bz together lie in an ellipse of ${significant(major)} x ${significant(minor)} mm, ${fixed(bearing, 0)} deg from by to bz, in 95 % of cases`;
+  `by and bz together lie in an ellipse with semi-axes of ${significant(major)} x ${significant(minor)} mm, ${fixed(bearing, 0)} deg from by to bz, in 95 % of cases`;
 
 /**
  * The orientation in text.

@@ -177,18 +177,30 @@ function describeMarks(name, { residuals_mm: residuals, sigma0_mm: sigma0 }) {
   return `${name}: interior orientation by ${residuals.length} fiducial marks, sigma0 ${fixed(sigma0, 4)} mm, largest residual ${fixed(largest, 4)} mm`;
 }
 
+/** What the links that took no part say.  @param {string} name @param {import('../node.js').LinkChecks} checks */
+function describeChecks(name, { number, beyond, rmse_px: px, rmse_m: m }) {
+  const by = `${name}: checked by ${number} ${number === 1 ? 'link' : 'links'}`;
+  if (beyond === number) return `${by}, ${number === 1 ? 'a gross error' : 'all of them gross errors'}`;
+  const without = beyond === 0 ? '' : `, without ${beyond} gross ${beyond === 1 ? 'error' : 'errors'}`;
+  return `${by}: RMSE ${fixed(px, 2)} px = ${fixed(m, 3)} m on the ground${without}`;
+}
+
+/** Values with their standard errors.  @param {readonly number[]} values @param {readonly number[] | null} errors @param {number} digits @param {number} [more] of the errors */
+const withErrors = (values, errors, digits, more = digits) =>
+  values.map((value, k) => `${fixed(value, digits)} ± ${errors ? fixed(errors[k] ?? 0, more) : '?'}`);
+
 /** @param {Result} result @returns {string[]} */
 function describe({ images }) {
   const rows = images.flatMap(({ name, placement }) => {
     if (!placement) return [];
-    const { pose, angles_deg, position_errors_m } = placement;
-    const place = pose.position.map((v, k) => `${fixed(v, 2)} ± ${position_errors_m ? fixed(position_errors_m[k] ?? 0, 2) : '?'}`);
-    return [[name, ...place, ...angles_deg.map((v) => fixed(v, 3)), fixed(placement.gsd_m, 3)]];
+    const { pose, angles_deg, angle_errors_deg, position_errors_m } = placement;
+    return [[name, ...withErrors(pose.position, position_errors_m, 2), ...withErrors(angles_deg, angle_errors_deg, 3, 4), fixed(placement.gsd_m, 3)]];
   });
   return [
     ...images.map(
       ({ name, verdict, search }) => `${name}: ${[message('placing_verdict', verdict), ...(search ? [message('place_search', search)] : [])].join(' ')}`,
     ),
+    ...images.flatMap(({ name, placement }) => (placement?.checks ? [describeChecks(name, placement.checks)] : [])),
     ...images.flatMap(({ name, placement }) => (placement?.film ? [describeMarks(name, placement.film.marks)] : [])),
     ...(rows.length > 0 ? ['', table([['image', 'X', 'Y', 'Z', 'ω °', 'φ °', 'κ °', 'pixel on the ground'], ...rows])] : []),
   ];

@@ -1,8 +1,9 @@
 // @ts-check
-import { defaults, Report } from '../node.js';
+import { withText } from '../messages.js';
+import { defaults, message, Report } from '../node.js';
 import { basename } from 'node:path';
 import { checkSize } from './block-camera.js';
-import { UsageError } from './errors.js';
+import { UsageError, VERDICT_CODES } from './errors.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
 import { JSON_FLAG, LANGUAGE, languageOf, path, SETTING_OPTIONS, settingsOf } from './options.js';
 import { print, printJson } from './output.js';
@@ -28,7 +29,7 @@ export const report = {
   options: OPTIONS,
   details:
     "The options are those of `tiepoint match`. The report holds the images with their points, the paper's Tables 1 to 3 for all strategies beside the " +
-    'printed values, residuals, reliability and parameters. JSON: file.',
+    'printed values, residuals, reliability and parameters. The exit code is that of the verdict on the run by these options, as of `tiepoint match`. JSON: verdict, file.',
   run(call) {
     const {
       positionals: [leftPath = '', rightPath = ''],
@@ -51,7 +52,9 @@ export const report = {
     for (const step of made.steps()) progress.step(`matching: ${step}`, () => made.step());
     const file = progress.step('writing', () => writeInto(out, 'report.html', made.html(language)));
     progress.end();
-    if (values.has('json')) printJson({ file });
-    else print(`written: ${file}`);
+    const verdict = /** @type {import('../node.js').PairVerdict} */ (made.verdict());
+    if (values.has('json')) printJson({ verdict: withText('pair_verdict', verdict), file });
+    else print(message('pair_verdict', verdict), '', `written: ${file}`);
+    return VERDICT_CODES[verdict.kind];
   },
 };

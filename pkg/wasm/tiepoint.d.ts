@@ -877,6 +877,12 @@ export interface ModelSummary {
      * By what standard errors grow for intervals, ellipses and ellipsoids of 95 %; absent without standard errors.
      */
     factors_95: Factors95 | null;
+    /**
+     * Medians over the images of the total standard errors of positions and of ω φ κ, along and about the axes of the adjustment; absent without
+     * statistics.
+     */
+    position_errors_m: [number, number, number] | null;
+    angle_errors_deg: [number, number, number] | null;
     rays_rejected: number;
     /**
      * Root mean square residuals of the GNSS positions that took part, of each coordinate; absent without any.
@@ -2565,7 +2571,8 @@ export interface OrientationOptions {
      */
     seed: number;
     /**
-     * The length b of the base at photo scale, not 0, by which by and bz grow in proportion.
+     * The length b of the base at photo scale, not 0, by which by and bz grow in proportion; its sign is that of the geometry, so that a
+     * minus changes nothing.
      */
     base_mm: number | null;
 }
@@ -3637,6 +3644,10 @@ export interface FiducialOrientation {
      */
     standard_errors: [[number, number, number], [number, number, number]] | null;
     /**
+     * Half the widths of their intervals of 95 %, by Student's distribution; absent without redundancy.
+     */
+    half_widths_95?: [[number, number, number], [number, number, number]] | null;
+    /**
      * Covariance of the three parameters of a row, the same for both rows, which are independent; absent without redundancy and for a
      * similarity, whose rows are not independent.
      */
@@ -3970,6 +3981,28 @@ export type Operator = "ground2" | "ground1" | "forstner" | "moravec" | "multisc
  * The rule that decided on a left point.
  */
 export type Rule = "matched" | "no_descriptor" | "no_candidate" | "threshold" | "ambiguous" | "many_to_one" | "parallax" | "border" | "left_right" | "not_converged" | "imprecise" | "frame";
+
+/**
+ * The similarity that takes positions of the left image to those of the right one.
+ */
+export interface PhotoDifference {
+    /**
+     * By how much the right photo is turned in its plane, as κ is.
+     */
+    turn_deg: number;
+    /**
+     * How many px of the right image one of the left image has.
+     */
+    scale: number;
+    /**
+     * Right minus left position in px, in the middle of what both show.
+     */
+    offset_px: [number, number];
+    /**
+     * That middle in the left image.
+     */
+    middle_px: [number, number];
+}
 
 /**
  * The standard error ellipse of two unknowns.
@@ -4719,7 +4752,7 @@ export type BlockWarning = { kind: "free"; cause: Cause | null; without_heights?
 /**
  * What makes an orientation weak although it could be computed.
  */
-export type Warning = { kind: "plane"; ratio: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number } | { kind: "unchecked"; observations: number } | { kind: "identical"; copies: number } | { kind: "behind"; points: number } | { kind: "sigma"; estimated_um: number; given_um: number } | { kind: "focal_length"; change_percent: number; w: number } | { kind: "unchecked_focal"; ratio: number; least: number } | { kind: "few_places"; places: number; least: number } | { kind: "few_matches"; matches: number; least: number } | { kind: "few_agree"; accepted: number; matches: number } | { kind: "mirrored" } | { kind: "mirrored_marks"; side: Side } | { kind: "unknown_camera" } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "doubtful_focal"; side: Side; sides: number; least: number; most: number } | { kind: "far_principal_point"; side: Side; sides: number; most: number } | { kind: "doubtful_distortion"; side: Side; factor: number; least: number; most: number } | { kind: "resized_or_cropped"; side: Side; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "cropped"; side: Side; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "other_pixels"; side: Side; pixel_um: number; expected_um: number } | { kind: "unused_pixel"; pixel_mm: number; marks_mm: number } | { kind: "similarity_alone" } | { kind: "exact"; sigma0_px: number; least_px: number } | { kind: "wide_angle"; coverage: number; most: number } | { kind: "uncertain"; half_width_deg: number; most_deg: number } | { kind: "uncertain_base"; half_width_deg: number; most_deg: number } | { kind: "imprecise"; sigma0_px: number; most_px: number };
+export type Warning = { kind: "plane"; ratio: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number } | { kind: "unchecked"; observations: number } | { kind: "identical"; copies: number; rejected?: number } | { kind: "behind"; points: number } | { kind: "sigma"; estimated_um: number; given_um: number } | { kind: "focal_length"; change_percent: number; w: number } | { kind: "unchecked_focal"; ratio: number; least: number } | { kind: "doubtful_base"; base_mm: number; times: number; most: number } | { kind: "few_places"; places: number; least: number } | { kind: "few_matches"; matches: number; least: number } | { kind: "few_agree"; accepted: number; matches: number } | { kind: "mirrored" } | { kind: "mirrored_marks"; side: Side } | { kind: "unknown_camera" } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "doubtful_focal"; side: Side; sides: number; least: number; most: number } | { kind: "far_principal_point"; side: Side; sides: number; most: number } | { kind: "doubtful_distortion"; side: Side; factor: number; least: number; most: number } | { kind: "resized_or_cropped"; side: Side; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "cropped"; side: Side; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "other_pixels"; side: Side; pixel_um: number; expected_um: number } | { kind: "unused_pixel"; pixel_mm: number; marks_mm: number } | { kind: "similarity_alone" } | { kind: "exact"; sigma0_px: number; least_px: number } | { kind: "wide_angle"; coverage: number; most: number } | { kind: "uncertain"; half_width_deg: number; most_deg: number } | { kind: "uncertain_base"; half_width_deg: number; most_deg: number } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "coarse"; sigma0_um: number; most_um: number };
 
 /**
  * What may change from round to round of an adjustment.
@@ -4956,12 +4989,12 @@ export interface ComponentSummary extends VarianceComponent {
 /**
  * What the result of a pair is worth.
  */
-export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number; kappa_deg: number; half_width_deg: number; worst?: KnownWorst; worst_half_width_deg?: number } | { kind: "weak"; points: number; warning: Warning } | { kind: "not_oriented"; no_orientation: NoOrientation };
+export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number | null; sigma0_um?: number | null; kappa_deg: number; half_width_deg: number; worst?: KnownWorst; worst_half_width_deg?: number } | { kind: "weak"; points: number; warning: Warning } | { kind: "not_oriented"; no_orientation: NoOrientation };
 
 /**
  * What the run reports of its input beside the images that it skips.
  */
-export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "far_principal_point"; label: string; sides: number; most: number } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "like_scans"; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unnamed_errors"; columns: string[] } | { kind: "unknown_mark_columns"; columns: string[] } | { kind: "unknown_position_columns"; columns: string[] } | { kind: "unnamed_position_errors"; columns: string[] } | { kind: "position_heights"; column: string; positions: number } | { kind: "doubled_position_columns"; columns: string[] } | { kind: "positions_of_other_images"; images: string[]; all: boolean } | { kind: "points_without_coordinates"; points: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unknown_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "gnss_without_system"; positions: number } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_elsewhere"; images: number; within_m: number; distance_km: number; crs: string; place_slip: PlaceSlip } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "orthophoto_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "mosaic_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "far_principal_point"; label: string; sides: number; most: number } | { kind: "contradicted_focal"; label: string; focal_px: number; file_px: number; images: string[] } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "like_scans"; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "unknown_columns"; columns: string[] } | { kind: "doubled_columns"; columns: string[] } | { kind: "unnamed_errors"; columns: string[] } | { kind: "unknown_mark_columns"; columns: string[] } | { kind: "unknown_position_columns"; columns: string[] } | { kind: "unnamed_position_errors"; columns: string[] } | { kind: "position_heights"; column: string; positions: number } | { kind: "doubled_position_columns"; columns: string[] } | { kind: "positions_of_other_images"; images: string[]; all: boolean } | { kind: "points_without_coordinates"; points: string[] } | { kind: "unmeasured_points"; points: string[] } | { kind: "unknown_points"; points: string[] } | { kind: "unsupported_edits" } | { kind: "result_system"; crs: string; operation: string | null; accuracy_m: number | null; gnss_above_m: number | null } | { kind: "ellipsoidal_heights"; crs: string } | { kind: "gnss_without_system"; positions: number } | { kind: "geoid"; name: string; low_m: number; high_m: number } | { kind: "orthophoto_system_assumed"; crs: string } | { kind: "orthophoto_converted"; orthophoto: string; crs: string; accuracy_m: number | null } | { kind: "orthophoto_elsewhere"; images: number; within_m: number; distance_km: number; crs: string; place_slip: PlaceSlip } | { kind: "orthophoto_units"; unit_m: number; height_unit_m: number } | { kind: "orthophoto_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "mosaic_heights"; heights: string; from_ellipsoid: boolean; crs: string; above_m: number | null } | { kind: "no_result_system"; crs: string } | { kind: "older_project"; version: number };
 
 /**
  * What two points are compared by.
@@ -4979,9 +5012,9 @@ export type ParameterKind = { kind: "integer"; min: number; max: number; odd: bo
 export type Observed = "positions" | "points" | "both";
 
 /**
- * What would do where the strategy of a pair did not.
+ * What would do where the strategy of a pair did not: it compares windows of grey values as they stand in both photos.
  */
-export type PairHint = { kind: "other_strategy" };
+export type PairHint = { kind: "other_strategy" } | { kind: "turned"; turn_deg: number; most_deg: number; scale: number } | { kind: "scaled"; scale: number; most: number; turn_deg: number } | { kind: "turned_and_scaled"; turn_deg: number; most_deg: number; scale: number; most: number } | { kind: "displaced"; dx_px: number; dy_px: number; expected_dx_px: number; expected_dy_px: number; most_px: number; turn_deg: number; scale: number };
 
 /**
  * Where an image shows a place.
@@ -5089,7 +5122,7 @@ export type Failure = { kind: "unreadable"; message: string } | { kind: "refused
 /**
  * Why a pair has no orientation.
  */
-export type NoOrientation = { kind: "no_camera"; side: Side } | { kind: "no_focal_length" } | { kind: "no_pixel_size"; side: Side } | { kind: "altered"; side: Side; camera_caution: CameraCaution } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "far_principal_point"; side: Side; sides: number; most: number } | { kind: "panorama"; side: Side } | { kind: "no_geometry"; no_geometry: NoGeometry } | { kind: "pure_rotation" } | { kind: "plane_without_camera" } | { kind: "one_photo" } | { kind: "parts_of_one_image" } | { kind: "refused"; error: { kind: string } };
+export type NoOrientation = { kind: "too_few_matches"; matches: number; needed: number } | { kind: "no_camera"; side: Side } | { kind: "no_focal_length" } | { kind: "no_pixel_size"; side: Side } | { kind: "altered"; side: Side; camera_caution: CameraCaution } | { kind: "contradicted_focal"; side: Side; given_px: number; file_px: number } | { kind: "far_principal_point"; side: Side; sides: number; most: number } | { kind: "panorama"; side: Side } | { kind: "no_geometry"; no_geometry: NoGeometry } | { kind: "pure_rotation" } | { kind: "plane_without_camera" } | { kind: "one_photo" } | { kind: "parts_of_one_image" } | { kind: "refused"; error: { kind: string } };
 
 /**
  * Why a pair was chosen.
@@ -5358,11 +5391,11 @@ export class OrthoMosaic {
     /**
      * Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
      * pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
-     * adjustment, as the map of the page is.
+     * adjustment, as the map of the page is. `images`: the names of those that it is made of; absent: all.
      */
-    static open(project: string | Uint8Array | Uint8ClampedArray | ArrayBuffer, heights: number | Uint8Array | null, heights_sidecars?: Given<Sidecars> | null, gsd?: number | null, in_adjustment?: boolean | null): OrthoMosaic;
+    static open(project: string | Uint8Array | Uint8ClampedArray | ArrayBuffer, heights: number | Uint8Array | FileInParts | null, heights_sidecars?: Given<Sidecars> | null, gsd?: number | null, in_adjustment?: boolean | null, images?: readonly string[] | null): OrthoMosaic;
     /**
-     * The indices of its oriented images in an order in which little waits in memory for images to come.
+     * The indices of the oriented images that it is made of, in an order in which little waits in memory for images to come.
      */
     order(): Uint32Array;
     /**
@@ -5449,7 +5482,7 @@ export class OrthophotoReference {
     /**
      * The heights of its ground: one for all, or a file: a GeoTIFF or an ESRI ASCII grid, with what stands beside it, or the project of an oriented block.
      */
-    set_heights(heights: number | Uint8Array, sidecars?: Given<Sidecars>): void;
+    set_heights(heights: number | Uint8Array | FileInParts, sidecars?: Given<Sidecars>): void;
 }
 
 /**
@@ -5529,6 +5562,10 @@ export class Report {
      * What each step does, in their order; in English, or in the language of a tag.
      */
     steps(language?: string | null): string[];
+    /**
+     * The verdict on this run; null before the first step.
+     */
+    verdict(): PairVerdict | null;
 }
 
 /**
@@ -5666,7 +5703,7 @@ export function check_geoid(name: string, placing?: Given<GeoreferencingOptions>
 /**
  * Refuses what is no height of the ground, nor a file of heights.
  */
-export function check_heights(heights: number | Uint8Array, sidecars?: Given<Sidecars>): void;
+export function check_heights(heights: number | Uint8Array | FileInParts, sidecars?: Given<Sidecars>): void;
 
 /**
  * The groups of connected images of a block, the largest first.
@@ -5737,6 +5774,11 @@ export function export_formats(): ExportFormat[];
  * The defaults of the options of features.
  */
 export function feature_defaults(): FeatureOptions;
+
+/**
+ * Why so few matches have no orientation, whatever else is missing; null where they are enough.
+ */
+export function few_matches(matches: number): NoOrientation | null;
 
 /**
  * The cameras of frames as a file of cameras has them, from that of each, before those that it has (`given`): frames of one film have one, for all images
@@ -5880,9 +5922,9 @@ export function match_photos(left: Photo, right: Photo, left_points: GivenPoints
 export function match_points(left_points: Float64Array | readonly number[], left_descriptors: Float64Array | readonly number[], right_points: Float64Array | readonly number[], right_descriptors: Float64Array | readonly number[], offset: OffsetField, options: Given<MatchOptions>): MatchResult;
 
 /**
- * Writes matches (stride 5) as CSV.
+ * Writes matches (stride 5) as CSV, each with its state: used or rejected by the orientation whose `rejected` is given, empty without.
  */
-export function matches_csv(matches: Float64Array | readonly number[]): string;
+export function matches_csv(matches: Float64Array | readonly number[], rejected?: readonly number[] | null): string;
 
 /**
  * Object points of observations (stride 4) that are oriented as `orient_relative` does: X, Y, Z, their standard errors (NaN where there are
@@ -5930,9 +5972,9 @@ export function orient_fiducials(fiducials: Fiducial[], model: FiducialModel): F
 export function orient_matches(matches: Float64Array | readonly number[], fits: Float64Array | readonly number[], interior: PairInterior, options: Given<OrientationOptions>, points?: [number, number]): OrientedPair;
 
 /**
- * Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1.
+ * Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1, with the verdict on it.
  */
-export function orient_relative(observations: Float64Array | readonly number[], focal_mm: number, options: Given<OrientationOptions>, weights?: Float64Array | readonly number[] | null): RelativeOrientation;
+export function orient_relative(observations: Float64Array | readonly number[], focal_mm: number, options: Given<OrientationOptions>, weights?: Float64Array | readonly number[] | null): OrientedPair;
 
 /**
  * The cameras of a pair, the given one or those of its files, with what speaks against them; or what is missing.
@@ -5940,9 +5982,10 @@ export function orient_relative(observations: Float64Array | readonly number[], 
 export function pair_cameras(given: CameraMm | null, left: PhotoFacts, right: PhotoFacts): PairCameras | { missing: NoOrientation };
 
 /**
- * What else would do for a pair of this verdict and these settings; null where nothing is known to.
+ * What else would do for a pair of this verdict and these settings; null where nothing is known to. With how the photos lie to each other
+ * (`photo_difference`), and the offset by which matches were looked for, it says which of that the strategy does not take.
  */
-export function pair_hint(verdict: PairVerdict, settings: Given<PairSettings>): PairHint | null;
+export function pair_hint(verdict: PairVerdict, settings: Given<PairSettings>, difference?: PhotoDifference | null, offset?: OffsetField | null): PairHint | null;
 
 /**
  * Ready-made settings.
@@ -6010,6 +6053,11 @@ export function parse_observations(csv: string): Float64Array;
  * A block's camera as a photo of a pair has it: lengths in mm, the radial distortion as a correction of what was measured.
  */
 export function photo_camera(camera: Camera): CameraMm;
+
+/**
+ * How the right photo lies to the left one in their planes; null where they do not match, however they lie.
+ */
+export function photo_difference(left: Photo, right: Photo): PhotoDifference | null;
 
 /**
  * The tables of images that were placed: of the images, and of their links.
@@ -6191,6 +6239,7 @@ export interface InitOutput {
     readonly execute_job: (a: any, b: any) => [number, number, number, number];
     readonly export_formats: () => any;
     readonly feature_defaults: () => any;
+    readonly few_matches: (a: any) => [number, number, number];
     readonly film_cameras: (a: any, b: any, c: any) => [number, number, number];
     readonly film_frame: (a: any, b: any, c: any) => [number, number, number];
     readonly film_measurements: (a: any, b: any) => [number, number, number];
@@ -6236,7 +6285,7 @@ export interface InitOutput {
     readonly match_pair: (a: number, b: number, c: any, d: any, e: number, f: number) => [number, number, number];
     readonly match_photos: (a: number, b: number, c: any, d: any, e: any, f: any, g: any, h: any) => [number, number, number];
     readonly match_points: (a: any, b: any, c: any, d: any, e: any, f: any) => [number, number, number];
-    readonly matches_csv: (a: any) => [number, number, number, number];
+    readonly matches_csv: (a: any, b: any) => [number, number, number, number];
     readonly message: (a: any, b: any, c: number, d: number) => [number, number, number, number];
     readonly model_points: (a: any, b: any, c: any, d: any, e: number) => [number, number, number, number];
     readonly model_points_csv: (a: any) => [number, number, number, number];
@@ -6252,7 +6301,7 @@ export interface InitOutput {
     readonly orthomosaic_heights: (a: number) => [number, number, number, number];
     readonly orthomosaic_leave_out: (a: number, b: any) => [number, number, number, number];
     readonly orthomosaic_names: (a: number) => [number, number];
-    readonly orthomosaic_open: (a: any, b: any, c: any, d: number, e: number) => [number, number, number];
+    readonly orthomosaic_open: (a: any, b: any, c: any, d: number, e: number, f: number) => [number, number, number];
     readonly orthomosaic_order: (a: number) => [number, number];
     readonly orthomosaic_remark: (a: number) => any;
     readonly orthomosaic_size: (a: number) => [number, number];
@@ -6271,7 +6320,7 @@ export interface InitOutput {
     readonly orthophotoreference_search: (a: number, b: any) => [number, number, number];
     readonly orthophotoreference_set_heights: (a: number, b: any, c: any) => [number, number];
     readonly pair_cameras: (a: any, b: any, c: any) => [number, number, number];
-    readonly pair_hint: (a: any, b: any) => [number, number, number];
+    readonly pair_hint: (a: any, b: any, c: any, d: any) => [number, number, number];
     readonly pair_preset: (a: any) => [number, number, number];
     readonly pair_presets: () => any;
     readonly paper: () => any;
@@ -6289,6 +6338,7 @@ export interface InitOutput {
     readonly photo_describe: (a: number, b: any, c: any, d: any) => [number, number, number, number];
     readonly photo_describe_points: (a: number, b: any, c: number) => [number, number, number];
     readonly photo_detect: (a: number, b: any, c: number) => [number, number, number];
+    readonly photo_difference: (a: number, b: number) => [number, number, number];
     readonly photo_features: (a: number, b: any, c: number) => [number, number, number];
     readonly photo_from_grey: (a: any, b: any, c: any) => [number, number, number];
     readonly photo_grey: (a: number) => [number, number];
@@ -6311,6 +6361,7 @@ export interface InitOutput {
     readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any, g: number, h: number, i: any) => [number, number, number];
     readonly report_step: (a: number) => [number, number, number];
     readonly report_steps: (a: number, b: number) => [number, number, number];
+    readonly report_verdict: (a: number) => any;
     readonly resolved: (a: any) => [number, number, number];
     readonly rule_names: () => any;
     readonly run_complete: (a: number, b: number, c: any) => [number, number];

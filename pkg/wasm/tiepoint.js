@@ -649,23 +649,24 @@ export class OrthoMosaic {
     /**
      * Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
      * pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
-     * adjustment, as the map of the page is.
+     * adjustment, as the map of the page is. `images`: the names of those that it is made of; absent: all.
      * @param {string | Uint8Array | Uint8ClampedArray | ArrayBuffer} project
-     * @param {number | Uint8Array | null} heights
+     * @param {number | Uint8Array | FileInParts | null} heights
      * @param {Given<Sidecars> | null | undefined} heights_sidecars
      * @param {number | null} [gsd]
      * @param {boolean | null} [in_adjustment]
+     * @param {readonly string[] | null} [images]
      * @returns {OrthoMosaic}
      */
-    static open(project, heights, heights_sidecars, gsd, in_adjustment) {
-        const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, isLikeNone(gsd) ? 0 : addToExternrefTable0(gsd), isLikeNone(in_adjustment) ? 0xFFFFFF : in_adjustment ? 1 : 0);
+    static open(project, heights, heights_sidecars, gsd, in_adjustment, images) {
+        const ret = wasm.orthomosaic_open(project, heights, heights_sidecars, isLikeNone(gsd) ? 0 : addToExternrefTable0(gsd), isLikeNone(in_adjustment) ? 0xFFFFFF : in_adjustment ? 1 : 0, isLikeNone(images) ? 0 : addToExternrefTable0(images));
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
         return OrthoMosaic.__wrap(ret[0]);
     }
     /**
-     * The indices of its oriented images in an order in which little waits in memory for images to come.
+     * The indices of the oriented images that it is made of, in an order in which little waits in memory for images to come.
      * @returns {Uint32Array}
      */
     order() {
@@ -908,7 +909,7 @@ export class OrthophotoReference {
     }
     /**
      * The heights of its ground: one for all, or a file: a GeoTIFF or an ESRI ASCII grid, with what stands beside it, or the project of an oriented block.
-     * @param {number | Uint8Array} heights
+     * @param {number | Uint8Array | FileInParts} heights
      * @param {Given<Sidecars>} [sidecars]
      */
     set_heights(heights, sidecars) {
@@ -1168,6 +1169,14 @@ export class Report {
             throw takeFromExternrefTable0(ret[1]);
         }
         return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * The verdict on this run; null before the first step.
+     * @returns {PairVerdict | null}
+     */
+    verdict() {
+        const ret = wasm.report_verdict(this.__wbg_ptr);
+        return ret;
     }
 }
 if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
@@ -1528,7 +1537,7 @@ export function check_geoid(name, placing) {
 
 /**
  * Refuses what is no height of the ground, nor a file of heights.
- * @param {number | Uint8Array} heights
+ * @param {number | Uint8Array | FileInParts} heights
  * @param {Given<Sidecars>} [sidecars]
  */
 export function check_heights(heights, sidecars) {
@@ -1714,6 +1723,19 @@ export function export_formats() {
 export function feature_defaults() {
     const ret = wasm.feature_defaults();
     return ret;
+}
+
+/**
+ * Why so few matches have no orientation, whatever else is missing; null where they are enough.
+ * @param {number} matches
+ * @returns {NoOrientation | null}
+ */
+export function few_matches(matches) {
+    const ret = wasm.few_matches(matches);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
@@ -2143,15 +2165,16 @@ export function match_points(left_points, left_descriptors, right_points, right_
 }
 
 /**
- * Writes matches (stride 5) as CSV.
+ * Writes matches (stride 5) as CSV, each with its state: used or rejected by the orientation whose `rejected` is given, empty without.
  * @param {Float64Array | readonly number[]} matches
+ * @param {readonly number[] | null} [rejected]
  * @returns {string}
  */
-export function matches_csv(matches) {
+export function matches_csv(matches, rejected) {
     let deferred2_0;
     let deferred2_1;
     try {
-        const ret = wasm.matches_csv(matches);
+        const ret = wasm.matches_csv(matches, rejected);
         var ptr1 = ret[0];
         var len1 = ret[1];
         if (ret[3]) {
@@ -2337,12 +2360,12 @@ export function orient_matches(matches, fits, interior, options, points) {
 }
 
 /**
- * Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1.
+ * Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1, with the verdict on it.
  * @param {Float64Array | readonly number[]} observations
  * @param {number} focal_mm
  * @param {Given<OrientationOptions>} options
  * @param {Float64Array | readonly number[] | null} [weights]
- * @returns {RelativeOrientation}
+ * @returns {OrientedPair}
  */
 export function orient_relative(observations, focal_mm, options, weights) {
     const ret = wasm.orient_relative(observations, focal_mm, options, isLikeNone(weights) ? 0 : addToExternrefTable0(weights));
@@ -2368,13 +2391,16 @@ export function pair_cameras(given, left, right) {
 }
 
 /**
- * What else would do for a pair of this verdict and these settings; null where nothing is known to.
+ * What else would do for a pair of this verdict and these settings; null where nothing is known to. With how the photos lie to each other
+ * (`photo_difference`), and the offset by which matches were looked for, it says which of that the strategy does not take.
  * @param {PairVerdict} verdict
  * @param {Given<PairSettings>} settings
+ * @param {PhotoDifference | null} [difference]
+ * @param {OffsetField | null} [offset]
  * @returns {PairHint | null}
  */
-export function pair_hint(verdict, settings) {
-    const ret = wasm.pair_hint(verdict, settings);
+export function pair_hint(verdict, settings, difference, offset) {
+    const ret = wasm.pair_hint(verdict, settings, difference, offset);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -2542,6 +2568,22 @@ export function parse_observations(csv) {
  */
 export function photo_camera(camera) {
     const ret = wasm.photo_camera(camera);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * How the right photo lies to the left one in their planes; null where they do not match, however they lie.
+ * @param {Photo} left
+ * @param {Photo} right
+ * @returns {PhotoDifference | null}
+ */
+export function photo_difference(left, right) {
+    _assertClass(left, Photo);
+    _assertClass(right, Photo);
+    const ret = wasm.photo_difference(left.__wbg_ptr, right.__wbg_ptr);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }

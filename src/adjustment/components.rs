@@ -115,9 +115,9 @@ pub(super) fn sums_of_groups(
 
 /// What the residuals of a group say of its weights.
 #[derive(Debug, Clone, Copy)]
-struct Estimate {
-    /// Its variance by that of its weights, with the interval that holds it.
-    ratio: f64,
+pub(super) struct Estimate {
+    /// Its variance by that of its weights, without the part of others in its residuals, with the interval that holds it.
+    variance: f64,
     interval: [f64; 2],
     /// By which its variance is multiplied next.
     step: f64,
@@ -133,12 +133,10 @@ impl Estimate {
     fn new(sum: &Sum, unit: f64) -> Self {
         let ratio = (sum.squares / sum.redundancy / (unit * unit)).clamp(1.0 / LONGEST, LONGEST);
         let own = sum.own / sum.redundancy;
-        let limit = |probability: f64| {
-            let limit = ratio * sum.redundancy / chi_square_quantile(probability, sum.redundancy);
-            (1.0 + (limit - 1.0) / own).max(0.0)
-        };
+        let without_others = |ratio: f64| (1.0 + (ratio - 1.0) / own).max(0.0);
+        let limit = |probability: f64| without_others(ratio * sum.redundancy / chi_square_quantile(probability, sum.redundancy));
         Self {
-            ratio,
+            variance: without_others(ratio),
             interval: [limit(1.0 - 0.5 * SIGNIFICANCE), limit(0.5 * SIGNIFICANCE)],
             // For any tr R² between its limits what is left is no more than (1 - own) / (1 + own) of what was wrong.
             step: libm::pow(ratio, 2.0 / (1.0 + own)).clamp(1.0 / LONGEST, LONGEST),
@@ -161,7 +159,7 @@ impl Component {
     const STATED: Self = Self { variance: 1.0, is_applied: false, drops: 0, last: None };
 
     fn estimated(&self, estimate: &Estimate) -> f64 {
-        (self.variance * estimate.ratio).clamp(SMALLEST * SMALLEST, LARGEST * LARGEST)
+        (self.variance * estimate.variance).clamp(SMALLEST * SMALLEST, LARGEST * LARGEST)
     }
 
     /// Whether the stated variance is among those that the residuals allow.
@@ -226,17 +224,23 @@ impl Weights {
         }
     }
 
-    /// Estimates all components from the sums of an adjustment whose weights were made with the standard error `unit` of a ray, and changes one at
-    /// most; whether weights are others now.
-    pub fn update(&mut self, sums: &Sums, unit: f64) -> bool {
+    /// Estimates all components from the sums of an adjustment whose weights were made with the standard error `unit` of a ray; `None` where too little
+    /// tells that.
+    pub fn estimate(&mut self, sums: &Sums, unit: f64) -> Option<[Option<Estimate>; 5]> {
         if !(sums.rest >= LEAST_FREEDOM && unit >= LEAST_SIGMA_PX) {
-            return false;
+            return None;
         }
         let estimates = sums.groups.map(|sum| (sum.redundancy > 0.0).then(|| Estimate::new(&sum, unit)));
         let of_groups = self.components.iter_mut().zip(&sums.groups).zip(&estimates).zip(ObservationGroup::ALL);
         for (((component, sum), estimate), group) in of_groups {
             component.last = (sum.observations > 0).then(|| component.describe(group, sum, estimate.as_ref()));
         }
+        Some(estimates)
+    }
+
+    /// Estimates all components and changes one at most; whether weights are others now.
+    pub fn update(&mut self, sums: &Sums, unit: f64) -> bool {
+        let Some(estimates) = self.estimate(sums, unit) else { return false };
         let change = self.changed(&sums.groups, &estimates).or_else(|| self.dropped(&sums.groups, &estimates));
         self.is_converged = change.is_none();
         let Some((group, component)) = change.filter(|_| self.rounds < MOST_ROUNDS) else { return false };

@@ -1,6 +1,7 @@
 //! Interior orientation by fiducial marks.
 
 use crate::error::refuse;
+use crate::math::student_limit;
 use std::collections::BTreeMap;
 
 use crate::{Cause, Computation, Error, Few, Refusal};
@@ -47,6 +48,9 @@ pub struct FiducialOrientation {
     pub degrees_of_freedom: usize,
     /// Standard errors of `parameters`; absent without redundancy.
     pub standard_errors: Option<[[f64; 3]; 2]>,
+    /// Half the widths of their intervals of 95 %, by Student's distribution; absent without redundancy.
+    #[serde(default)]
+    pub half_widths_95: Option<[[f64; 3]; 2]>,
     /// Covariance of the three parameters of a row, the same for both rows, which are independent; absent without redundancy and for a
     /// similarity, whose rows are not independent.
     pub covariance: Option<[[f64; 3]; 3]>,
@@ -101,8 +105,9 @@ pub fn orient_fiducials(fiducials: &[Fiducial], model: FiducialModel) -> Result<
     let of_row = |sigma: f64| [0, 1, 2].map(|k| sigma * cofactors[k][k].sqrt());
     // In a similarity the second row has the same two coefficients, whose cofactors are equal.
     let standard_errors = sigma0_mm.map(|sigma| [of_row(sigma); 2]);
+    let half_widths_95 = standard_errors.map(|rows| rows.map(|row| row.map(|error| error * student_limit(0.05, degrees_of_freedom))));
     let covariance = sigma0_mm.filter(|_| model == FiducialModel::Affine).map(|sigma| cofactors.map(|row| row.map(|q| sigma * sigma * q)));
-    Ok(FiducialOrientation { model, parameters, residuals_mm, sigma0_mm, degrees_of_freedom, standard_errors, covariance })
+    Ok(FiducialOrientation { model, parameters, residuals_mm, sigma0_mm, degrees_of_freedom, standard_errors, half_widths_95, covariance })
 }
 
 /// A mark relative to the centroids; the centring keeps the normal equations well conditioned and splits off the shifts.

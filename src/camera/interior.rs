@@ -280,6 +280,7 @@ mod tests {
             sigma0_mm: None,
             degrees_of_freedom: 0,
             standard_errors: None,
+            half_widths_95: None,
         };
         let whole = Interior::from_fiducials(&camera(), &marks, [0.0, 0.0]).unwrap();
         let patch = Interior::from_fiducials(&camera(), &marks, [410.0, 111.0]).unwrap();

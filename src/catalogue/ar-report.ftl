@@ -106,7 +106,7 @@ report-sigma-of-coordinate = ‏σ₀ لإحداثي الصورة
 report-sigma-value = { $um } ميكرومتر = { $px } بكسل
 report-matches-used = المطابقات المستعملة
 report-base-together = ‏by وbz معًا، 95 %
-report-ellipse-of = قطع ناقص { $axes } مم
+report-ellipse-of = قطع ناقص نصفا محوريه { $axes } مم
 report-condition = العدد الشرطي
 report-plane-misfit = عدم المواءمة لمستوى
 report-parallax-beside = اختلاف المنظر بعد الدوران
@@ -118,8 +118,8 @@ report-axes-turned = مدارة 90°: يتجه x إلى أعلى في الصور
 report-warning = تحذير
 report-sigma-from-parallaxes = تُحسب σ₀ من اختلافات المنظر الصادية: مطابقة خاطئة على امتداد خطها القطبي لا تغيّرها.
 report-correlations = ارتباطات المجاهيل
-report-error-ellipse = ‏by وbz: قطع الخطأ المعياري { $axes } ميكرومتر
-report-ellipse-dashed = ؛ المتقطع: ضعفه، خطآن معياريان
+report-error-ellipse = ‏by وbz: قطع الخطأ المعياري، نصفا محوريه { $axes } ميكرومتر
+report-ellipse-dashed = ؛ المتقطع: 95 %
 report-ellipse-cross = ؛ علامة التقاطع: الحقيقة
 
 ## Of a pair: the tables of the paper
@@ -352,7 +352,9 @@ report-weights-by = الأوزان بحسب
 report-by-their-residuals = المتبقيات
 report-by-stated-held = الأخطاء المعيارية المعطاة (مثبَّتة)
 report-by-stated = الأخطاء المعيارية المعطاة
-report-components-explained = مركبات التباين: الأخطاء المعيارية بحسب المتبقيات إلى جانب المعطاة. تتبع الأوزان المتبقيات حيث يقع 1 خارج المجال، وتبقى كذلك متى تبعتها. والعامل الذي لا يحدده الفائض يُثبَّت عند 1.
+report-components-explained = مركبات التباين: الأخطاء المعيارية بحسب المتبقيات إلى جانب المعطاة. والعامل الذي لا يحدده الفائض يُثبَّت عند 1.
+report-weights-follow = تتبع الأوزان المتبقيات حيث يقع 1 خارج المجال، وتبقى كذلك متى تبعتها.
+report-weights-stated = الأوزان أوزان الأخطاء المعيارية المعطاة.
 report-rounds = جولات الوزن: { $rounds }.
 report-weights-did-not-converge = لم تتقارب الأوزان.
 report-systematic = الأخطاء المنتظمة لمواضع GNSS

@@ -163,6 +163,7 @@ document-export = ملف التصدير
 document-file = ملف
 document-folder = المجلد
 document-geo-tiff = ‏GeoTIFF
+document-heights = نموذج الارتفاعات
 document-kept-record = سجل محفوظ
 document-orthophoto = الصورة المصححة
 document-project = ملف المشروع
@@ -370,6 +371,13 @@ camera-caution-focal-plane = يعطي EXIF بكسلات قدرها { SIGNIFICANT
 camera-caution-contradiction = يعطي XMP بعدًا بؤريًا قدره { FIXED($xmp_focal_px, digits: 0) } بكسل، وEXIF { FIXED($exif_focal_px, digits: 0) } بكسل: تُستعمل قيمة EXIF
 camera-caution-panorama = بانوراما ({ $projection }): ليس لها منظور مركزي ولا كاميرا
 
+no-orientation-too-few-matches =
+    { $matches ->
+        [0] لم توجد أي مطابقة
+        [one] لم توجد إلا مطابقة واحدة
+        [two] لم توجد إلا مطابقتان
+       *[other] لم توجد إلا { $matches } مطابقات
+    }، والتوجيه يحتاج { $needed } على الأقل (هل تُظهر الصورتان الأرض نفسها؟)
 no-orientation-no-camera = لم تُعط كاميرا، والصورة { $side } لا تذكر بعدًا بؤريًا
 no-orientation-no-focal-length = أُعطيت العلامات الإطارية دون بعد بؤري
 no-orientation-no-pixel-size = البعد البؤري للصورة { $side } معروف بالمليمتر لا بالبكسل: لا علامات إطارية ولا حجم بكسل معروفان
@@ -386,7 +394,10 @@ no-orientation-refused = { $error }
 
 ## What the result of a pair is worth.
 
-pair-verdict-oriented = وُجّه الزوج من { $points } من النقاط، σ0 { FIXED($sigma0_px, digits: 2) } بكسل؛ الصورة اليمنى مدارة في مستواها (κ) بمقدار { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }°{ $worst ->
+pair-verdict-oriented = وُجّه الزوج من { $points } من النقاط، σ0 { $sigma0_px ->
+        [none] { SIGNIFICANT($sigma0_um, digits: 2) } ميكرومتر
+       *[other] { FIXED($sigma0_px, digits: 2) } بكسل
+    }؛ الصورة اليمنى مدارة في مستواها (κ) بمقدار { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }°{ $worst ->
         [omega] ، وتُعرف ω بحدود ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
         [phi] ، وتُعرف φ بحدود ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
         [base] ، ويُعرف اتجاه القاعدة بحدود ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
@@ -401,11 +412,16 @@ pair-verdict-not-oriented = لم يُوجَّه: { $no_orientation }.
 ## What else would do for a pair.
 
 pair-hint-other-strategy = تقارن هذه الاستراتيجية النوافذ كما هي في الصورتين: حيث تكون مدارة أو مختلفة المقياس أو متداخلة في موضع آخر تجد الاستراتيجية «auto» أكثر.
+pair-hint-turned = الصورة اليمنى مدارة في مستواها بمقدار { FIXED($turn_deg, digits: 0) }°: تقارن هذه الاستراتيجية النوافذ كما هي في الصورتين، وتتحمل حتى ± { $most_deg }°. استعمل الاستراتيجية «auto»، أو أدر الصورة اليمنى إلى وضعها أولًا.
+pair-hint-scaled = تُظهر الصورة اليمنى الشيء نفسه أكبر من اليسرى { SIGNIFICANT($scale, digits: 2) } مرة: تقارن هذه الاستراتيجية النوافذ كما هي في الصورتين، وتتحمل حتى { $most } مرة في الاتجاهين. استعمل الاستراتيجية «auto»، أو غيّر قياس إحدى الصورتين أولًا.
+pair-hint-turned-and-scaled = الصورة اليمنى مدارة في مستواها بمقدار { FIXED($turn_deg, digits: 0) }° وتُظهر الشيء نفسه أكبر من اليسرى { SIGNIFICANT($scale, digits: 2) } مرة: تقارن هذه الاستراتيجية النوافذ كما هي في الصورتين، وتتحمل حتى ± { $most_deg }° و{ $most } مرة في الاتجاهين. استعمل الاستراتيجية «auto».
+pair-hint-displaced = إزاحة الصورة اليمنى { FIXED($dx_px, digits: 0) }، { FIXED($dy_px, digits: 0) } بكسل، وكان المتوقع { FIXED($expected_dx_px, digits: 0) }، { FIXED($expected_dy_px, digits: 0) } بكسل: بُحث عن المطابقات ضمن ± { $most_px } بكسل منه. أعط الإزاحة { FIXED($dx_px, digits: 0) }، { FIXED($dy_px, digits: 0) } بكسل، أو استعمل الاستراتيجية «auto».
 
 ## What the geometry of two views is, and where it is degenerate.
 
 two-view-model-calibrated = توجيه كاميرتين معايرتين
     .label = كاميرتان معايرتان
+    .estimated = كاميرتان قُدّر بعدهما البؤري من المطابقات
     .short = توجيه نسبي
     .help = توجيه كاميرتين معروفتين، أو تحدد المطابقات بعدهما البؤري: تقع المطابقة على خطها القطبي وأمام الكاميرتين.
 two-view-model-fundamental = الهندسة القطبية لكاميرتين مجهولتين
@@ -446,6 +462,7 @@ warning-behind =
        *[other] استُبعدت { $points } من النقاط
     }: تلتقي الأشعة خلف كاميرا، كما في المطابقات الخاطئة والإحداثيات المعكوسة.
 warning-sigma = تناقض المتبقيات قيمة σ0 المعطاة: هي { SIGNIFICANT($estimated_um, digits: 3) } ميكرومتر لا { SIGNIFICANT($given_um, digits: 3) } ميكرومتر. تستعمل الأخطاء المعيارية والاختبارات القيمة المقدّرة.
+warning-doubtful-base = القاعدة المعطاة { SIGNIFICANT($base_mm, digits: 3) } مم أطول { SIGNIFICANT($times, digits: 2) } مرة من القاعدة بمقياس الصورة، والمعقول حتى { $most } مرة. ويطول by وbz بالقدر نفسه: هل هي القاعدة على الأرض أو بوحدة أخرى؟
 warning-few-places = تقع المطابقات في { $places ->
         [one] موضع واحد
         [two] موضعين
@@ -470,6 +487,7 @@ warning-wide-angle = تبتعد النقاط عن المحور كثيرًا با
 warning-uncertain = يُعرف الدوران بحدود ±{ SIGNIFICANT($half_width_deg, digits: 2) }° فقط (95 %)؛ السليم حتى ±{ $most_deg }°.
 warning-uncertain-base = يُعرف اتجاه القاعدة بحدود ±{ SIGNIFICANT($half_width_deg, digits: 2) }° فقط (95 %)؛ السليم حتى ±{ $most_deg }°.
 warning-imprecise = ‏σ0 تبلغ { FIXED($sigma0_px, digits: 1) } بكسل؛ تبلغ المطابقة { FIXED($most_px, digits: 1) } بكسل حيث تكون الكاميرا وتشوهها صحيحين. وقد لا تصح المجالات.
+warning-coarse = ‏σ0 تبلغ { SIGNIFICANT($sigma0_um, digits: 2) } ميكرومتر، والقياس يبلغ { SIGNIFICANT($most_um, digits: 2) } ميكرومتر عند هذا البعد البؤري: في كثير من الأرصاد أخطاء جسيمة لا يبين أي اختبار أيها، أو أن البعد البؤري بوحدة أخرى.
 warning-focal-length = تطلب المتبقيات بعدًا بؤريًا يختلف بنسبة { FIXED($change_percent, digits: 2) } % ({ FIXED($w, digits: 1) } من الأخطاء المعيارية)، وهو ما يخرج النتيجة من مجالات الثقة 95 %.
 warning-unchecked-focal = يوافق نصفُ البعد البؤري بالجودة نفسها تقريبًا (σ0 له { FIXED($ratio, digits: 2) } مرة؛ يُستبعد ابتداءً من { FIXED($least, digits: 2) }): فمجال الرؤية ضيق والأرض شبه مستوية، فلا تتحقق الصورتان من البعد البؤري المعطى.
 
@@ -806,7 +824,7 @@ block-warning-few-observations =
        *[other] {" "}و{ $images_more } أخرى.
     }
 block-warning-two-rays = لـ{ $two } من { $points } من نقاط الضبط شعاعان فقط: لا تظهر أخطاؤها على امتداد القاعدة.
-block-warning-many-rejected = لا يوافق { $rejected } من { $observations } من الأرصاد.
+block-warning-many-rejected = { $rejected } من { $observations } من الأرصاد أخطاء جسيمة.
 
 observed-positions = مواضع GNSS
 observed-points = نقاط الضبط الأرضي
@@ -870,6 +888,7 @@ remark-result-system =
            *[plus] أعلى
         } من ارتفاعات الكتلة بنحو { AMOUNT($gnss_above_m, digits: 0) } م: وهو ارتفاع الجيوئيد تقريبًا (--geoid، --geoid-m) إذا كانت فوق الإهليلجي
     }
+remark-ellipsoidal-heights = الارتفاعات في images.csv وpoints.csv وsurveyed.csv فوق الإهليلجي، كارتفاعات مواضع GNSS، وليست ارتفاعات { $crs }: لم يُعطَ الجيوئيد (--geoid، --geoid-m)
 remark-gnss-without-system = لا تشارك مواضع GNSS، وعدد صورها { $positions }: لم يُسمَّ نظام الإحداثيات المرجعي لنقاط الضبط؛ سمِّه (--crs)
 remark-geoid = تُحسب الارتفاعات من جيوئيد { $name }، الذي يعلو المجسم الإهليلجي بمقدار { FIXED($low_m, digits: 2) } إلى { FIXED($high_m, digits: 2) } م حيث الصور
 remark-no-result-system = النتائج ليست في { $crs }: ليس للكتلة موضع على الأرض، وتعطيه نقاط ضبط موافقة، أو مواضع GNSS تُحسب ارتفاعاتها من الصفر نفسه
@@ -1148,6 +1167,12 @@ refusal-film-without-camera = كاميرا الفيلم: لم تُعطَ مع ا
 refusal-lone-origin = المبدأ في المسح الضوئي: أُعطي { $origin } دون علامات إطارية؛ المسموح: مبدأ مع العلامات الإطارية المقيسة في ذلك المسح
 refusal-one-camera = الكاميرتان: أُعطيت كاميرا واحدة؛ المسموح: كلتاهما أو لا واحدة
 refusal-one-focal-length = الكاميرتان: أُعطي بعد بؤري واحد؛ المسموح: كلاهما أو لا واحد
+refusal-cameras-of-block =
+    كاميرا الزوج: أُعطيت كاميرات كتلة بأسماء صورها ({ $cameras ->
+        [one] كاميرا واحدة
+        [two] كاميرتان
+       *[other] { $cameras } كاميرات
+    })؛ المسموح: كاميرا واحدة، بعدًا بؤريًا بالبكسل أو ملفًا فيه focal_mm وprincipal_point_mm وpixel_mm، أو مشروع الكتلة الذي تأخذ منه صورها كاميراتها
 refusal-no-cameras = الكاميرات: أُعطيت قائمة فارغة؛ المسموح: كاميرا واحدة أو أكثر
 refusal-empty-pattern = الكاميرات: نمط الكاميرا { $camera } فارغ؛ المسموح: نمط أسماء مثل DJI_*.JPG
 refusal-unused-patterns = الكاميرات: أُعطي { $patterns }، ولا يوافق ذلك أي صورة؛ المسموح: أنماط توافق أسماء مثل { $names }
@@ -1444,8 +1469,7 @@ refusal-height-count = نموذج الارتفاعات: أُعطي { $heights } 
 refusal-height-range = ارتفاعات نموذج الارتفاعات: أُعطي من { $low } إلى { $high }؛ المسموح: من -1000 إلى 20000، وفيها ارتفاع واحد على الأقل؛ ويجب التصريح بالقيمة الدالة على «لا ارتفاع»
 refusal-no-height-model = نموذج الارتفاعات: ليس TIFF ولا نصًا؛ المسموح: GeoTIFF أو شبكة ESRI ASCII
 refusal-heights-without-place = نموذج الارتفاعات: أُعطي TIFF لا يذكر موضعه؛ المسموح: GeoTIFF، أو ملف إحداثيات (world file) بجانبه
-refusal-truncated-heights = نموذج الارتفاعات: أُعطي { $width } × { $height } من الارتفاعات في { $bytes } بايت: هو مبتور؛ المسموح: ملف كامل
-refusal-many-heights = نموذج الارتفاعات: أُعطي { $width } × { $height } من الارتفاعات؛ المسموح: حتى 100 مليون
+refusal-many-heights = نموذج الارتفاعات: أُعطي { $width } × { $height } من الارتفاعات؛ المسموح: حتى 100 مليون، أو 4000 مليون في GeoTIFF لا تزيد بلاطاته أو شرائطه على 16 مليونا
 refusal-heights-of-picture = نموذج الارتفاعات: أُعطي TIFF بأعداد صحيحة من 8 بت كما في الصور؛ المسموح: أعداد من 16 بت أو أكثر، أو GeoTIFF يذكر بنظام رأسي أو بوحدة ارتفاع أو بمقياس وإزاحة من GDAL أنها ارتفاعات
 refusal-height-samples = نموذج الارتفاعات: أُعطي TIFF بعينات من نوع آخر؛ المسموح: عينة واحدة في البكسل: أعداد صحيحة أو فاصلة عائمة
 refusal-grid-word = شبكة ESRI ASCII: أُعطي { $name } بلا عدد؛ المسموح: ncols وnrows وxllcorner أو xllcenter وyllcorner أو yllcenter وcellsize وnodata_value، ثم الارتفاعات صفًا فصفًا
@@ -1461,6 +1485,7 @@ refusal-orthophoto-system =
     }؛ المسموح: رمز EPSG، يكتبه مثلًا gdal_edit.py -a_srs EPSG:25832، أو لا شيء حيث للكتلة نظام مسقط
 refusal-nothing-above-ground = كتلة الموزاييك: ليس فيها صورة موجَّهة فوق الأرض؛ المسموح: صورة واحدة أو أكثر
 refusal-mosaic-pixel = ضلع بكسل الموزاييك: أُعطي { $gsd }؛ المسموح: { FIXED($least, digits: 4) } أو أكثر، حتى لا يتجاوز الموزاييك { $megapixels } ميغابكسل، وتتسع الذاكرة لما ينتظر صورًا أخرى
+refusal-mosaic-name = صورة موزاييك: أُعطيت { $name }؛ المسموح: صور الكتلة الموجَّهة: { $names }
 refusal-mosaic-image = صورة موزاييك: أُعطي الرقم { $image }؛ المسموح: رقم صورة من النموذج
 refusal-mosaic-image-size = صورة موزاييك: أُعطي { $width } × { $height } بكسل؛ المسموح: { $width_px } × { $height_px } بكسل، كما في كاميرتها
 refusal-mosaic-without-images = الموزاييك: لم تُضف إليه صورة موجَّهة؛ المسموح: صور الكتلة تُضاف واحدة واحدة قبل إنهائه

@@ -173,6 +173,7 @@ document-export = the export
 document-file = a file
 document-folder = the folder
 document-geo-tiff = the GeoTIFF
+document-heights = the heights
 document-kept-record = a kept record
 document-orthophoto = the orthophoto
 document-project = the project file
@@ -328,6 +329,11 @@ refusal-film-without-camera = the camera of the film: got none beside the fiduci
 refusal-lone-origin = origin in the scan: got { $origin } without fiducials; allowed: an origin together with the fiducials measured in that scan
 refusal-one-camera = the cameras: got one camera; allowed: both or neither
 refusal-one-focal-length = the cameras: got one focal length; allowed: both or neither
+refusal-cameras-of-block =
+    the camera of a pair: got { $cameras ->
+        [one] 1 camera
+       *[other] { $cameras } cameras
+    } of a block, by the names of their images; allowed: one camera, as a focal length in px or a file with focal_mm, principal_point_mm and pixel_mm, or the project of the block, by which its images have their cameras
 refusal-no-cameras = the cameras: got an empty list; allowed: one camera or more
 refusal-empty-pattern = the cameras: got an empty pattern of camera { $camera }; allowed: a pattern of names as DJI_*.JPG
 refusal-unused-patterns = the cameras: got { $patterns }, which fit no image; allowed: patterns that fit names as { $names }
@@ -618,8 +624,7 @@ refusal-height-count = height model: got { $heights } heights for { $width } x {
 refusal-height-range = heights of a height model: got { $low } to { $high }; allowed: -1000 to 20000, with at least one; what stands for 'no height' must be declared
 refusal-no-height-model = height model: got neither a TIFF nor text; allowed: a GeoTIFF or an ESRI ASCII grid
 refusal-heights-without-place = height model: got a TIFF that does not say where it lies; allowed: a GeoTIFF, or a world file beside it
-refusal-truncated-heights = heights: got { $width } x { $height } heights in { $bytes } bytes: it is truncated; allowed: a whole file
-refusal-many-heights = heights: got { $width } x { $height } heights; allowed: up to 100 million
+refusal-many-heights = heights: got { $width } x { $height } heights; allowed: up to 100 million, or 4,000 million in a GeoTIFF whose tiles or strips have up to 16 million
 refusal-heights-of-picture = heights: got a TIFF of whole numbers of 8 bits, as pictures have them; allowed: numbers of 16 bits or more, or a GeoTIFF that says by a vertical system or unit, or by scale and offset of GDAL, that they are heights
 refusal-height-samples = heights: got a TIFF of samples of another kind; allowed: one sample per pixel: whole numbers or floating point
 refusal-grid-word = ESRI ASCII grid: got { $name } without a number; allowed: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row
@@ -635,6 +640,7 @@ refusal-orthophoto-system =
     }; allowed: an EPSG code, which gdal_edit.py -a_srs EPSG:25832 writes, say, or nothing where the block has a projected system
 refusal-nothing-above-ground = block for a mosaic: got no oriented image above the ground; allowed: one or more
 refusal-mosaic-pixel = side of a pixel of the mosaic: got { $gsd }; allowed: { FIXED($least, digits: 4) } or more, so that the mosaic has at most { $megapixels } MP, and what waits for further images has room in memory
+refusal-mosaic-name = image of a mosaic: got { $name }; allowed: oriented images of the block: { $names }
 refusal-mosaic-image = image of a mosaic: got index { $image }; allowed: one of the model
 refusal-mosaic-image-size = image of a mosaic: got { $width } x { $height } px; allowed: { $width_px } x { $height_px } px, as its camera
 refusal-mosaic-without-images = mosaic: got no oriented image; allowed: images of the block, added one by one before it is finished
@@ -877,6 +883,12 @@ camera-caution-focal-plane = EXIF gives pixels of { SIGNIFICANT($pixel_um, digit
 camera-caution-contradiction = XMP gives a focal length of { FIXED($xmp_focal_px, digits: 0) } px, EXIF of { FIXED($exif_focal_px, digits: 0) } px: that of EXIF is used
 camera-caution-panorama = a panorama ({ $projection }): it has no central perspective, and no camera
 
+no-orientation-too-few-matches =
+    { $matches ->
+        [0] no match was found
+        [one] only 1 match was found
+       *[other] only { $matches } matches were found
+    }, and an orientation takes at least { $needed } (do both photos show the same ground?)
 no-orientation-no-camera = no camera is given and the { $side } image names no focal length
 no-orientation-no-focal-length = fiducial marks are given, but no focal length
 no-orientation-no-pixel-size = the focal length of the { $side } image is known in mm, but not in px: neither fiducial marks nor a pixel size is known
@@ -893,7 +905,10 @@ no-orientation-refused = { $error }
 
 ## What the result of a pair is worth.
 
-pair-verdict-oriented = Oriented from { $points } points, σ0 { FIXED($sigma0_px, digits: 2) } px; the right photo is turned in its plane (κ) by { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }°{ $worst ->
+pair-verdict-oriented = Oriented from { $points } points, σ0 { $sigma0_px ->
+        [none] { SIGNIFICANT($sigma0_um, digits: 2) } µm
+       *[other] { FIXED($sigma0_px, digits: 2) } px
+    }; the right photo is turned in its plane (κ) by { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }°{ $worst ->
         [omega] , ω is known to ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
         [phi] , φ is known to ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
         [base] , the direction of the base is known to ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
@@ -908,11 +923,16 @@ pair-verdict-not-oriented = Not oriented: { $no_orientation }.
 ## What else would do for a pair.
 
 pair-hint-other-strategy = This strategy compares windows as they stand in both photos: where these are turned, of another scale or overlap elsewhere, the strategy “auto” finds more.
+pair-hint-turned = The right photo is turned in its plane by { FIXED($turn_deg, digits: 0) }°: this strategy compares windows as they stand in both photos, and takes up to ± { $most_deg }°. Use the strategy “auto”, or rotate the right image back first.
+pair-hint-scaled = The right photo shows the same { SIGNIFICANT($scale, digits: 2) } times as large as the left one: this strategy compares windows as they stand in both photos, and takes up to { $most } times, either way. Use the strategy “auto”, or resize one image first.
+pair-hint-turned-and-scaled = The right photo is turned in its plane by { FIXED($turn_deg, digits: 0) }° and shows the same { SIGNIFICANT($scale, digits: 2) } times as large as the left one: this strategy compares windows as they stand in both photos, and takes up to ± { $most_deg }° and { $most } times, either way. Use the strategy “auto”.
+pair-hint-displaced = The offset of the right photo is { FIXED($dx_px, digits: 0) }, { FIXED($dy_px, digits: 0) } px, where { FIXED($expected_dx_px, digits: 0) }, { FIXED($expected_dy_px, digits: 0) } px was expected: matches were looked for within ± { $most_px } px of that. Give the offset { FIXED($dx_px, digits: 0) }, { FIXED($dy_px, digits: 0) } px, or use the strategy “auto”.
 
 ## What the geometry of two views is, and where it is degenerate.
 
 two-view-model-calibrated = orientation of calibrated cameras
     .label = calibrated cameras
+    .estimated = cameras with the focal length estimated from the matches
     .short = relative orientation
     .help = Orientation of cameras that are known, or whose focal length the matches determine: a match lies on its epipolar line and in front of both cameras.
 two-view-model-fundamental = epipolar geometry of unknown cameras
@@ -951,6 +971,7 @@ warning-behind =
        *[other] { $points } points are
     } rejected: the rays meet behind a camera, as those of wrong matches and of mirrored coordinates do.
 warning-sigma = The residuals contradict the given σ0: it is { SIGNIFICANT($estimated_um, digits: 3) } µm, not { SIGNIFICANT($given_um, digits: 3) } µm. Standard errors and tests use the estimated one.
+warning-doubtful-base = The given base of { SIGNIFICANT($base_mm, digits: 3) } mm is { SIGNIFICANT($times, digits: 2) } times as long as that at photo scale; up to { $most } times is plausible. by and bz are as many times too long: is it the base on the ground, or in another unit?
 warning-few-places = The matches lie in { $places ->
         [one] 1 place
        *[other] { $places } places
@@ -974,6 +995,7 @@ warning-wide-angle = The points reach far from the axis for their focal length (
 warning-uncertain = The rotation is known to ±{ SIGNIFICANT($half_width_deg, digits: 2) }° only (95 %); up to ±{ $most_deg }° is sound.
 warning-uncertain-base = The direction of the base is known to ±{ SIGNIFICANT($half_width_deg, digits: 2) }° only (95 %); up to ±{ $most_deg }° is sound.
 warning-imprecise = σ0 is { FIXED($sigma0_px, digits: 1) } px; matching reaches { FIXED($most_px, digits: 1) } px where the camera and its distortion are right. The intervals may not hold.
+warning-coarse = σ0 is { SIGNIFICANT($sigma0_um, digits: 2) } µm, where measuring reaches { SIGNIFICANT($most_um, digits: 2) } µm at this focal length: many of the observations are grossly wrong and no test tells which, or the focal length is in another unit.
 warning-focal-length = The residuals ask for a focal length that differs by { FIXED($change_percent, digits: 2) } % ({ FIXED($w, digits: 1) } standard errors), which would move the result out of its 95 % intervals.
 warning-unchecked-focal = Half the focal length fits nearly as well (its σ0 is { FIXED($ratio, digits: 2) } times as large; from { FIXED($least, digits: 2) } it is excluded): the view is narrow and the ground nearly level, so that the photos do not check the given one.
 
@@ -1317,7 +1339,7 @@ block-warning-few-observations =
        *[other] {" "}and { $images_more } more.
     }
 block-warning-two-rays = { $two } of { $points } points of the adjustment have two rays only: their errors along the base do not show.
-block-warning-many-rejected = { $rejected } of { $observations } observations do not fit.
+block-warning-many-rejected = { $rejected } of { $observations } observations are gross errors.
 
 observed-positions = GNSS positions
 observed-points = GCPs
@@ -1380,6 +1402,7 @@ remark-result-system =
            *[plus] higher
         } than those of the block: roughly the height of the geoid (--geoid, --geoid-m) where they are above the ellipsoid
     }
+remark-ellipsoidal-heights = heights in images.csv, points.csv and surveyed.csv are above the ellipsoid, as those of the GNSS positions, and not those of { $crs }: the geoid is not given (--geoid, --geoid-m)
 remark-gnss-without-system =
     the GNSS { $positions ->
         [one] position of 1 image takes

@@ -40,6 +40,7 @@ messages! {
         OneCamera,
         OneFocalLength,
         NoCameras,
+        CamerasOfBlock { cameras: usize },
         EmptyPattern { camera: usize },
         UnusedPatterns { patterns: String, names: String },
 
@@ -243,7 +244,6 @@ messages! {
         HeightRange { #[serde(with = "number")] low: f64, #[serde(with = "number")] high: f64 },
         NoHeightModel,
         HeightsWithoutPlace,
-        TruncatedHeights { width: usize, height: usize, bytes: usize },
         ManyHeights { width: usize, height: usize },
         HeightSamples,
         HeightsOfPicture,
@@ -256,6 +256,7 @@ messages! {
         OrthophotoUnit { code: u16 },
         NothingAboveGround,
         MosaicPixel { #[serde(with = "number")] gsd: f64, #[serde(with = "number")] least: f64, #[serde(with = "number")] megapixels: f64 },
+        MosaicName { name: String, names: String },
         MosaicImage { image: usize },
         MosaicImageSize { width: usize, height: usize, width_px: u32, height_px: u32 },
         EmptyMosaic,

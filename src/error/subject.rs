@@ -49,6 +49,7 @@ messages! {
         File,
         Folder,
         GeoTiff,
+        Heights,
         KeptRecord,
         Orthophoto,
         Project,

@@ -13,5 +13,5 @@ pub(crate) use geotiff::{
     GeoTags, KEYS, LINEAR_UNIT, MODEL_TYPE, NO_DATA, PIXEL_SCALE, PROJECTED, PROJECTED_SYSTEM, RASTER_TYPE, SaidSystem, TIE_POINTS,
     TRANSFORMATION, name_of, refuse_degrees, unit_code,
 };
-pub(crate) use samples::{MOST_VALUES, Numbers};
+pub(crate) use samples::{MOST_VALUES, Numbers, range_of, refuse_many};
 pub use sidecars::Sidecars;

@@ -2,35 +2,24 @@
 
 use super::geotiff::{NO_DATA, number_of};
 use crate::error::refuse;
-use crate::image::{Directory, tiff_error, with_rows_of_image};
-use crate::{Error, Refusal};
-use std::borrow::Cow;
-use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
-use std::io::Cursor;
-use std::sync::{Mutex, PoisonError};
-use tiff::decoder::{Decoder, DecodingResult, Limits};
+use crate::image::{Chunks, Directory, Kept};
+use crate::{Error, FileSource, Refusal};
+use std::sync::Arc;
+use tiff::decoder::DecodingResult;
 
-/// Most values that a byte of a TIFF stands for.
-const MOST_PACKED: usize = 2560;
-/// Most values of a grid.
+/// Most values that are held at once.
 pub(crate) const MOST_VALUES: usize = 100_000_000;
+/// Bytes of tiles and strips that are kept.
+const KEPT_BYTES: usize = 128 << 20;
 /// Of GDAL, in no standard: what it says of bands as XML.
 const METADATA: u64 = 42112;
 
 /// The numbers of the first image of a TIFF: what stands for nothing is no number, and what GDAL says of their scale and offset is applied. Tiles and
-/// strips are decoded once they are asked for.
-pub(crate) struct Numbers<'a> {
-    /// Of the file.
-    bytes: usize,
-    size: [usize; 2],
-    /// Of a tile or strip.
-    chunk: [usize; 2],
-    /// Of a number.
-    bits: u8,
+/// strips are decoded once they are asked for; those that the file leaves out are of nothing, or 0 where nothing stands for that.
+pub(crate) struct Numbers<S: FileSource> {
     meaning: Meaning,
-    decoder: Mutex<Decoder<Cursor<Cow<'a, [u8]>>>>,
-    kept: Mutex<BTreeMap<usize, Vec<f32>>>,
+    chunks: Chunks<S>,
+    kept: Kept<usize, Vec<f32>>,
 }
 
 /// What the samples of a file mean.
@@ -41,53 +30,60 @@ struct Meaning {
     offset: f64,
 }
 
-impl<'a> Numbers<'a> {
-    /// Of a file that was checked by [`checked_directory`](crate::image::checked_directory).
-    ///
+impl<S: FileSource + Clone> Numbers<S> {
     /// # Errors
-    /// [`Error::InvalidInput`] for a truncated file, too many numbers and more than one of a pixel; [`Error::UnreadableImage`] for a damaged one.
-    pub fn open(file: &'a [u8]) -> Result<Self, Error> {
-        let meaning = Directory::first(file).map_or(Meaning { hole: None, scale: 1.0, offset: 0.0 }, |directory| Meaning::of(&directory));
-        let (bytes, file) = (file.len(), with_rows_of_image(file));
-        // What the numbers need is checked below.
-        let mut decoder = Decoder::new(Cursor::new(file)).map_err(tiff_error)?.with_limits(Limits::unlimited());
-        let side = |side: u32| side as usize;
-        let (width, height) = decoder.dimensions().map_err(tiff_error)?;
-        let [width, height] = [width, height].map(side);
-        // No compression that is read packs more.
-        if width.saturating_mul(height) / MOST_PACKED > bytes {
-            return refuse(Refusal::TruncatedHeights { width, height, bytes });
+    /// [`Error::InvalidInput`] for more than one number of a pixel; [`Error::UnreadableImage`] for a damaged or truncated file.
+    pub fn open(file: S) -> Result<Self, Error> {
+        let nothing = Meaning { hole: None, scale: 1.0, offset: 0.0 };
+        let meaning = Directory::first(file.clone()).map_or(nothing, |directory| Meaning::of(&directory));
+        match Chunks::open(file)? {
+            Some(chunks) => Ok(Self { meaning, chunks, kept: Kept::new(KEPT_BYTES) }),
+            None => refuse(Refusal::HeightSamples),
         }
-        let (columns, rows) = decoder.chunk_dimensions();
-        let chunk = [columns, rows].map(side);
-        let colours = decoder.colortype().map_err(tiff_error)?;
-        if colours.num_samples() != 1 || chunk.contains(&0) {
-            return refuse(Refusal::HeightSamples);
-        }
-        let (decoder, kept) = (Mutex::new(decoder), Mutex::default());
-        Ok(Self { bytes, size: [width, height], chunk, bits: colours.bit_depth(), meaning, decoder, kept })
     }
 
     /// Width and height.
     pub fn size(&self) -> [usize; 2] {
-        self.size
+        self.chunks.size()
     }
 
     /// Whether they are such as grey values are: of 8 bits, and taken as they stand.
     pub fn are_as_of_picture(&self) -> bool {
-        self.bits <= 8 && self.meaning.scale == 1.0 && self.meaning.offset == 0.0
+        self.chunks.bits <= 8 && self.meaning.scale == 1.0 && self.meaning.offset == 0.0
+    }
+
+    /// Refuses those of which a tile or strip has more than this.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`].
+    pub fn check_chunks(&self, most: usize) -> Result<(), Error> {
+        if self.chunks.most_values() > most { refuse_many(self.size()) } else { Ok(()) }
     }
 
     /// All of them, row by row.
     ///
     /// # Errors
-    /// As [`at`](Self::at).
+    /// As [`at`](Self::at), and [`Error::InvalidInput`] for too many.
     pub fn all(&self) -> Result<Vec<f32>, Error> {
-        let [width, height] = self.size;
-        self.refuse_many(width, height)?;
-        let mut decoder = self.decoder.lock().unwrap_or_else(PoisonError::into_inner);
-        let values = decoder.read_image().map_err(tiff_error)?;
-        self.meaning.taken(values)
+        let [width, height] = self.size();
+        let number = width.saturating_mul(height);
+        if number > MOST_VALUES {
+            return refuse_many([width, height]);
+        }
+        let mut all = vec![0.0; number];
+        for piece in self.chunks.pieces() {
+            let values = self.decoded(piece.index)?;
+            piece.rows_to([0, 0], width).for_each(|(from, to)| all[to].copy_from_slice(&values[from]));
+        }
+        Ok(all)
+    }
+
+    /// The lowest and the highest of them, by tile or strip; infinite where one has none.
+    pub fn ranges(&self) -> impl Iterator<Item = Result<[f32; 2], Error>> {
+        self.chunks.pieces().map(|piece| match self.chunks.holds(piece.index) {
+            true => self.decoded(piece.index).map(|values| range_of(&values)),
+            false => Ok(range_of(&[self.meaning.of_missing()])),
+        })
     }
 
     /// The one of a pixel within the image.
@@ -95,36 +91,55 @@ impl<'a> Numbers<'a> {
     /// # Errors
     /// [`Error::InvalidInput`] for samples of another kind, and tiles and strips of too many; [`Error::UnreadableImage`] for damaged ones.
     pub fn at(&self, column: usize, row: usize) -> Result<f32, Error> {
-        let [columns, rows] = self.chunk;
-        let across = self.size[0].div_ceil(columns);
-        let (left, index) = (column / columns, row / rows * across + column / columns);
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
-        let values = match kept.entry(index) {
-            Entry::Occupied(kept) => kept.into_mut(),
-            Entry::Vacant(place) => {
-                self.refuse_many(columns, rows)?;
-                let mut decoder = self.decoder.lock().unwrap_or_else(PoisonError::into_inner);
-                place.insert(self.meaning.taken(decoder.read_chunk(index as u32).map_err(tiff_error)?)?)
+        let (index, place) = self.chunks.place(column, row);
+        Ok(self.chunk(index)?[place])
+    }
+
+    /// Those of four pixels within the image, of which that is the first: row by row.
+    ///
+    /// # Errors
+    /// As [`at`](Self::at).
+    pub fn four_from(&self, column: usize, row: usize) -> Result<[f32; 4], Error> {
+        let places = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[c, r]| self.chunks.place(column + c, row + r));
+        let mut chunk = (places[0].0, self.chunk(places[0].0)?);
+        let mut values = [0.0; 4];
+        for (value, (index, place)) in values.iter_mut().zip(places) {
+            if chunk.0 != index {
+                chunk = (index, self.chunk(index)?);
             }
-        };
-        // Those at the right edge are cut off there.
-        let stride = columns.min(self.size[0] - left * columns);
-        let value = values.get(row % rows * stride + column % columns).copied();
-        value.map_or_else(|| refuse(Refusal::TruncatedHeights { width: columns, height: rows, bytes: self.bytes }), Ok)
-    }
-
-    fn refuse_many(&self, width: usize, height: usize) -> Result<(), Error> {
-        if width.saturating_mul(height) > MOST_VALUES {
-            return refuse(Refusal::ManyHeights { width, height });
+            *value = chunk.1[place];
         }
-        Ok(())
+        Ok(values)
     }
 
-    /// How many tiles and strips were decoded.
-    #[cfg(test)]
-    pub fn decoded(&self) -> usize {
-        self.kept.lock().unwrap().len()
+    fn chunk(&self, index: usize) -> Result<Arc<Vec<f32>>, Error> {
+        self.kept.part(index, |values| size_of_val(&values[..]), || self.decoded(index))
     }
+
+    fn decoded(&self, index: usize) -> Result<Vec<f32>, Error> {
+        self.check_chunks(MOST_VALUES)?;
+        let number = self.chunks.values(index);
+        let Some(samples) = self.chunks.decoded(index)? else { return Ok(vec![self.meaning.of_missing(); number]) };
+        let values = self.meaning.taken(samples)?;
+        if values.len() == number { Ok(values) } else { refuse(Refusal::HeightSamples) }
+    }
+
+    /// How many tiles and strips are kept.
+    #[cfg(test)]
+    pub fn decoded_now(&self) -> usize {
+        self.kept.number()
+    }
+}
+
+/// The error for more than are read.
+pub(crate) fn refuse_many<T>([width, height]: [usize; 2]) -> Result<T, Error> {
+    refuse(Refusal::ManyHeights { width, height })
+}
+
+/// The lowest and the highest of values; infinite where none is finite.
+pub(crate) fn range_of(values: &[f32]) -> [f32; 2] {
+    let finite = || values.iter().copied().filter(|value| value.is_finite());
+    [finite().fold(f32::INFINITY, f32::min), finite().fold(f32::NEG_INFINITY, f32::max)]
 }
 
 impl Meaning {
@@ -133,6 +148,14 @@ impl Meaning {
         let of_role = |role: &str, usual: f64| item(&metadata, role).filter(|value| value.is_finite()).unwrap_or(usual);
         let scale = Some(of_role("scale", 1.0)).filter(|scale| *scale != 0.0).unwrap_or(1.0);
         Self { hole: number_of(directory, NO_DATA).map(|value| value as f32), scale, offset: of_role("offset", 0.0) }
+    }
+
+    /// What a pixel is that the file leaves out.
+    ///
+    /// # Source
+    /// GDAL, GTiff driver, `SPARSE_OK`.
+    fn of_missing(self) -> f32 {
+        self.value(self.hole.unwrap_or(0.0))
     }
 
     fn value(self, value: f32) -> f32 {
@@ -172,6 +195,7 @@ fn item(metadata: &str, role: &str) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::io::Cursor;
     use tiff::encoder::{TiffEncoder, colortype};
     use tiff::tags::Tag;
 
@@ -198,14 +222,14 @@ mod tests {
     #[test]
     fn scale_and_offset_of_gdal_are_applied_and_holes_stay() {
         let scaled = file(XML);
-        let numbers = Numbers::open(&scaled).unwrap();
+        let numbers = Numbers::open(&scaled[..]).unwrap();
         let all = numbers.all().unwrap();
         assert_eq!((numbers.size(), all.len()), ([5, 7], 35));
         for (k, value) in all.iter().enumerate() {
             assert!(if k == 17 { value.is_nan() } else { (value - (10.0 * k as f32 - 100.0)).abs() < 1e-4 }, "{k}: {value}");
         }
         let plain = file("<GDALMetadata></GDALMetadata>");
-        assert_eq!(Numbers::open(&plain).unwrap().all().unwrap()[3], 3000.0);
+        assert_eq!(Numbers::open(&plain[..]).unwrap().all().unwrap()[3], 3000.0);
         assert_eq!(
             [item(XML, "scale"), item(XML, "offset"), item(XML, "other"), item("<Item role=\"scale\"", "scale")],
             [Some(0.01), Some(-100.0), None, None]
@@ -215,10 +239,10 @@ mod tests {
     #[test]
     fn numbers_are_decoded_where_they_are_asked_for() {
         let file = file(XML);
-        let numbers = Numbers::open(&file).unwrap();
+        let numbers = Numbers::open(&file[..]).unwrap();
         let all = numbers.all().unwrap();
         for (column, row, decoded) in [(4, 3, 1), (0, 2, 1), (2, 6, 2), (1, 0, 3)] {
-            assert_eq!((numbers.at(column, row).unwrap(), numbers.decoded()), (all[5 * row + column], decoded), "{column} {row}");
+            assert_eq!((numbers.at(column, row).unwrap(), numbers.decoded_now()), (all[5 * row + column], decoded), "{column} {row}");
         }
         assert!(numbers.at(2, 3).unwrap().is_nan());
     }

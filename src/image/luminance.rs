@@ -16,6 +16,14 @@ impl SampleLayout {
     pub fn interleaved(channels: usize) -> Self {
         Self { channels, colour: channels >= 3, plane_stride: None }
     }
+
+    /// Where a sample of a pixel is.
+    pub fn place(&self, pixel: usize, channel: usize) -> usize {
+        match self.plane_stride {
+            None => pixel * self.channels + channel,
+            Some(stride) => channel * stride + pixel,
+        }
+    }
 }
 
 /// What samples become.

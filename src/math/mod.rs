@@ -10,6 +10,7 @@ mod polynomial;
 mod random;
 mod statistics;
 mod student;
+mod two;
 mod vector;
 mod whole;
 
@@ -26,5 +27,6 @@ pub(crate) use polynomial::{MAX_DEGREE, real_roots};
 pub(crate) use random::Random;
 pub(crate) use statistics::{MEDIAN_BY_MEAN, MEDIAN_LENGTH, NORMAL_MEDIAN, median, smallest, weighted_median};
 pub(crate) use student::{detectable_shift, f_limit, joint_limit, ln_choices, ln_f_above, student_limit, tau_limit, variance_left};
+pub(crate) use two::Two;
 pub(crate) use vector::{cross, dot3, minus};
 pub(crate) use whole::Whole;

@@ -197,6 +197,27 @@ fn figures_are_written_in_one_way() {
 }
 
 #[test]
+fn what_rounds_to_zero_has_no_sign() {
+    let hint = |expected_dx_px: f64| {
+        let hint = PairHint::Displaced {
+            dx_px: -120.4,
+            dy_px: 3.0,
+            expected_dx_px,
+            expected_dy_px: 0.0,
+            most_px: 25.0,
+            turn_deg: 0.0,
+            scale: 1.0,
+        };
+        hint.to_string()
+    };
+    for (expected, said) in
+        [(-0.3, "where 0, 0 px was expected"), (-0.6, "where -1, 0 px was expected"), (0.3, "where 0, 0 px was expected")]
+    {
+        assert!(hint(expected).contains(said), "{}", hint(expected));
+    }
+}
+
+#[test]
 fn a_value_has_the_decimals_of_its_error() {
     let texts = Texts::new("en", "value = { LIKE($value, $error, digits: 2) } ± { SIGNIFICANT($error, digits: 2) }");
     let written = |value: f64, error: f64| texts.text_of("value", &json!({ "value": value, "error": error }), None);
@@ -206,7 +227,8 @@ fn a_value_has_the_decimals_of_its_error() {
     assert_eq!(written(1.0, f64::NAN), "– ± –");
     let verdict = |worst| PairVerdict::Oriented {
         points: 40,
-        sigma0_px: 0.1,
+        sigma0_px: Some(0.1),
+        sigma0_um: None,
         kappa_deg: 0.1466,
         half_width_deg: 0.0178,
         worst,

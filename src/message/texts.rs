@@ -208,13 +208,22 @@ type Format = fn(f64, usize) -> String;
 pub(super) const FORMATS: [(&str, Format); 8] = [
     ("NTH", |value, _| format!("{:.0}", value + 1.0)),
     ("HEX", |value, digits| format!("{:0digits$x}", value as u64)),
-    ("FIXED", |value, digits| format!("{value:.digits$}")),
+    ("FIXED", fixed),
     ("AMOUNT", |value, digits| format!("{:.digits$}", value.abs())),
     ("SIGNIFICANT", significant),
     ("POWER", |value, digits| format!("{value:.digits$e}")),
     ("PERCENT", |value, digits| format!("{:.digits$} %", 100.0 * value)),
     ("SIGN", |value, _| if value < 0.0 { "minus".into() } else { "plus".into() }),
 ];
+
+/// What rounds to zero has no sign.
+fn fixed(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    match text.strip_prefix('-') {
+        Some(zero) if zero.bytes().all(|byte| matches!(byte, b'0' | b'.')) => zero.into(),
+        _ => text,
+    }
+}
 
 fn significant(value: f64, digits: usize) -> String {
     let power = format!("{value:.*e}", digits.max(1) - 1);
@@ -229,7 +238,7 @@ fn like<'a>(given: &[FluentValue<'a>], named: &FluentArgs) -> FluentValue<'a> {
         [FluentValue::Number(value), FluentValue::Number(error)] if value.value.is_finite() && error.value.is_finite() => {
             let error = significant(error.value, digits_of(named));
             let decimals = error.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-            format!("{:.decimals$}", value.value).into()
+            fixed(value.value, decimals).into()
         }
         _ => "–".into(),
     }

@@ -55,6 +55,8 @@ messages! {
         /// The coordinate reference system of tables; the operation from it to WGS 84 with its accuracy, where the registry has one; how much higher GNSS
         /// positions are than where the block has them, where their heights took no part.
         ResultSystem { crs: String, operation: Option<String>, accuracy_m: Option<f64>, gnss_above_m: Option<f64> },
+        /// Heights in tables are above the ellipsoid, although the system has heights of its own.
+        EllipsoidalHeights { crs: String },
         /// Images have GNSS positions, which are on the earth, and control points are in a system of which nobody says where it is.
         GnssWithoutSystem { positions: usize },
         /// Heights count from the geoid of a file, which lies so high above the ellipsoid where the images are.

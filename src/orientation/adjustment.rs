@@ -2,6 +2,7 @@
 
 use super::adjusted::Adjusted;
 use super::coplanarity::{Ray, RelativePose};
+use super::in_twos::linearised;
 use super::normals::{Matrix5, Normals};
 use super::refusal::{check_condition, check_parallax, diverged, undetermined};
 use crate::{Cause, Error};
@@ -52,15 +53,14 @@ pub(super) fn adjust(
     let mut lines = Vec::with_capacity(rays.len());
     let (mut last_step, mut last_sigma, mut last_cofactors) = (f64::INFINITY, 0.0, Matrix5::identity());
     for iteration in 1..=MAX_ITERATIONS {
-        let tangents = pose.tangents();
         let mut normals = Normals::new();
         lines.clear();
-        lines.extend(rays.iter().zip(&adjusted).map(|(observed, at)| pose.linearise(&tangents, observed, at)));
-        for (line, weight) in lines.iter().zip(weights) {
-            if let Some(line) = line {
-                normals.add(&line.by_unknowns, line.misclosure, *weight);
+        linearised(&pose, rays, &adjusted, |k, line| {
+            if let Some(line) = &line {
+                normals.add(&line.by_unknowns, line.misclosure, weights[k]);
             }
-        }
+            lines.push(line);
+        });
         let solution = normals.solve().map_err(undetermined)?;
         let mut square_sum = 0.0;
         for (((line, observed), at), weight) in lines.iter().zip(rays).zip(&mut adjusted).zip(weights) {

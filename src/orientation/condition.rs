@@ -1,6 +1,7 @@
 //! The conditions of the observations at their adjusted coordinates, from which precision, tests and statistics follow.
 
 use super::coplanarity::{Linearised, Ray, RelativePose};
+use super::in_twos::{linearised, projected};
 
 /// The condition of an observation at its adjusted coordinates.
 #[derive(Debug, Clone, Copy)]
@@ -16,11 +17,9 @@ pub(super) struct Condition {
 impl Condition {
     /// Of each of `rays`.
     pub fn all(pose: &RelativePose, rays: &[Ray]) -> Vec<Self> {
-        let tangents = pose.tangents();
-        let one = |ray: &Ray| {
-            let (at, distance) = pose.project(ray);
-            Self { at, distance, line: pose.linearise(&tangents, ray, &at) }
-        };
-        rays.iter().map(one).collect()
+        let (places, distances) = projected(pose, rays);
+        let mut all = Vec::with_capacity(rays.len());
+        linearised(pose, rays, &places, |k, line| all.push(Self { at: places[k], distance: distances[k], line }));
+        all
     }
 }

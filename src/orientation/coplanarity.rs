@@ -20,6 +20,10 @@ pub(crate) struct RelativePose {
     pub base: Vector3<f64>,
 }
 
+/// Adjusted coordinates change by no more than this where they fulfil the condition; after so many steps they are left as they are.
+pub(super) const LEAST_CHANGE: f64 = 1e-15;
+pub(super) const MOST_STEPS: usize = 20;
+
 /// The condition of one point, linearised at its adjusted coordinates and scaled so that a misclosure is a distance.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Linearised {
@@ -142,14 +146,14 @@ impl RelativePose {
     pub fn project(&self, observed: &Ray) -> (Ray, f64) {
         let mut adjusted = *observed;
         let mut distance = 0.0;
-        for _ in 0..20 {
+        for _ in 0..MOST_STEPS {
             let Some(at) = self.gradient(observed, &adjusted) else {
                 break;
             };
             let next = corrected(observed, &at.by_coordinates, at.misclosure);
             let change = (0..4).map(|k| (next[k] - adjusted[k]).abs()).fold(0.0, f64::max);
             (adjusted, distance) = (next, at.misclosure);
-            if change <= 1e-15 {
+            if change <= LEAST_CHANGE {
                 break;
             }
         }
@@ -159,6 +163,12 @@ impl RelativePose {
     /// Whether the point lies in front of both cameras. Rays that meet at less than `least_angle` (radians) meet at infinity for all that
     /// the observations tell, which counts as in front.
     pub fn in_front(&self, ray: &Ray, least_angle: f64) -> bool {
+        self.in_front_of_either(ray, least_angle)[0]
+    }
+
+    /// The same with this base, and with the opposite one.
+    #[inline]
+    pub fn in_front_of_either(&self, ray: &Ray, least_angle: f64) -> [bool; 2] {
         let (left, right) = directions(ray);
         let right_in_model = self.rotation.tr_mul(&right);
         let normal = left.cross(&right_in_model);
@@ -166,7 +176,8 @@ impl RelativePose {
         let along_left = normal.dot(&self.base.cross(&right_in_model));
         let along_right = normal.dot(&self.base.cross(&left));
         let square = normal.norm_squared();
-        (along_left > 0.0 && along_right > 0.0) || square <= least_angle * least_angle * left.norm_squared() * right_in_model.norm_squared()
+        let is_parallel = square <= least_angle * least_angle * left.norm_squared() * right_in_model.norm_squared();
+        [is_parallel || (along_left > 0.0 && along_right > 0.0), is_parallel || (along_left < 0.0 && along_right < 0.0)]
     }
 
     /// Depth of the point where the rays meet, along the left optical axis in units of the base: positive in front. `None` for parallel rays.
@@ -176,6 +187,14 @@ impl RelativePose {
         let normal = left.cross(&right_in_model);
         let depth = normal.dot(&self.base.cross(&right_in_model)) / normal.norm_squared();
         depth.is_finite().then_some(depth)
+    }
+
+    /// Whether the two rays of a point meet at an angle beyond the one of this tangent, which is above 0.
+    pub fn meets_beyond(&self, ray: &Ray, tangent: f64) -> bool {
+        let (left, right) = directions(ray);
+        let right_in_model = self.rotation.tr_mul(&right);
+        let along = tangent * left.dot(&right_in_model);
+        along <= 0.0 || left.cross(&right_in_model).norm_squared() > along * along
     }
 
     /// Angle in radians between the two rays of a point.

@@ -1,7 +1,7 @@
 //! What is known of the errors of observations beside the independent part that their weights describe.
 
+use super::parallax_modes::MODES;
 use super::shared::SharedErrors;
-use super::shared_parallax::MODES;
 use crate::catalogue::refuse;
 use crate::error::refuse as refuse_input;
 use crate::{Allowed, Error, Refusal};

@@ -174,9 +174,12 @@ fn by_determinants(
 
 /// Coplanarity does not know the direction of the base: it is the one that has the points in front of the cameras.
 fn face_the_points(adjusted: &mut Adjusted, rays: &[Ray]) {
-    let in_front = |pose: &RelativePose| rays.iter().filter(|ray| pose.in_front(ray, 0.0)).count();
-    let reversed = RelativePose { base: -adjusted.pose.base, ..adjusted.pose };
-    if in_front(&reversed) > in_front(&adjusted.pose) {
+    let (mut in_front, mut reversed) = (0, 0);
+    for [own, other] in rays.iter().map(|ray| adjusted.pose.in_front_of_either(ray, 0.0)) {
+        in_front += usize::from(own);
+        reversed += usize::from(other);
+    }
+    if reversed > in_front {
         adjusted.reverse_base();
     }
 }

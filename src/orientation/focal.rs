@@ -2,6 +2,7 @@
 
 use super::adjusted::Adjusted;
 use super::coplanarity::{Ray, Unknowns};
+use super::in_twos::linearised;
 use super::normals::Normals;
 use super::precision::derivatives;
 use crate::math::student_limit;
@@ -46,17 +47,16 @@ pub(super) fn misfit(
 ) -> Option<FocalMisfit> {
     let freedom = rays.len().checked_sub(6).filter(|freedom| *freedom > 0)?;
     let pose = &adjusted.pose;
-    let tangents = pose.tangents();
     let mut normals = Normals::<6>::new();
-    for (ray, weight) in rays.iter().zip(weights) {
-        let at = pose.nearer(ray);
-        let Some(line) = pose.linearise(&tangents, ray, &at) else { continue };
+    let places: Vec<Ray> = rays.iter().map(|ray| pose.nearer(ray)).collect();
+    linearised(pose, rays, &places, |k, line| {
+        let Some(line) = line else { return };
         // A longer focal length brings all coordinates, in units of it, nearer to the axis. The adjusted ones: the observed ones would hold
         // the misclosure itself.
-        let by_focal = -(0..4).map(|k| line.by_coordinates[k] * at[k]).sum::<f64>();
-        let row = SVector::<f64, 6>::from_fn(|k, _| if k < 5 { line.by_unknowns[k] } else { by_focal });
-        normals.add(&row, line.misclosure, *weight);
-    }
+        let by_focal = -(0..4).map(|c| line.by_coordinates[c] * places[k][c]).sum::<f64>();
+        let row = SVector::<f64, 6>::from_fn(|unknown, _| if unknown < 5 { line.by_unknowns[unknown] } else { by_focal });
+        normals.add(&row, line.misclosure, weights[k]);
+    });
     let solution = normals.solve().ok()?;
     let left = normals.square_sum - 6.0 * solution.size * solution.size;
     // Of coordinates without errors, rounding is left.

@@ -55,7 +55,8 @@ options! {
         /// The start of the random numbers of the consensus: the same seed gives the same result.
         seed: u32 = 1, "Seed", 0..=4294967295.0, acts "orientation.robust is true";
 
-        /// The length b of the base at photo scale, not 0, by which by and bz grow in proportion.
+        /// The length b of the base at photo scale, not 0, by which by and bz grow in proportion; its sign is that of the geometry, so that a
+        /// minus changes nothing.
         base_mm: Option<f64> = None, "Photo base", in "mm", -1e6..=1e6, absent "the median x-parallax of the matches";
     }
 }

@@ -20,11 +20,19 @@ const LEAST_WIDTH: f64 = 1e-4;
 /// below 6 tells noise and base apart badly.
 const LEAST_PARALLAX: f64 = 6.0;
 
+/// By this factor a parallax is beyond the least one whatever rounding does.
+const CLEARLY: f64 = 1.01;
+/// Angles in radians up to this have a tangent that tells them from others.
+const WIDEST: f64 = 1.5;
+
 /// Largest standard error of an angle or of the base's direction, in radians, that still is an orientation.
 const LARGEST_ERROR: f64 = 0.35;
 
 /// No camera has a shorter focal length; one of film in m does.
 const TINY_FOCAL_MM: f64 = 1.0;
+
+/// Different observations that the five unknowns take at least.
+pub(crate) const LEAST_OBSERVATIONS: usize = 5;
 
 /// Refuses a focal length and observations that are none.
 pub(super) fn check_input(observations: &[Observation], focal_mm: f64) -> Result<(), Error> {
@@ -48,12 +56,12 @@ pub(super) fn check_input(observations: &[Observation], focal_mm: f64) -> Result
 pub(super) fn check_geometry(rays: &[Ray]) -> Result<(), Error> {
     let mut different: Vec<&Ray> = Vec::new();
     for ray in rays {
-        if different.len() < 5 && !different.contains(&ray) {
+        if different.len() < LEAST_OBSERVATIONS && !different.contains(&ray) {
             different.push(ray);
         }
     }
-    if different.len() < 5 {
-        return Err(Error::TooFew { few: Few::DifferentObservations, got: different.len(), needed: 5 });
+    if different.len() < LEAST_OBSERVATIONS {
+        return Err(Error::TooFew { few: Few::DifferentObservations, got: different.len(), needed: LEAST_OBSERVATIONS });
     }
     for (side, first) in [(Side::Left, 0), (Side::Right, 2)] {
         let width = relative_width(rays, first);
@@ -81,8 +89,14 @@ fn relative_width(rays: &[Ray], first: usize) -> f64 {
 
 /// Refuses a pose without a base: after its rotation nothing is left of the parallaxes but noise of the standard error `sigma`.
 pub(super) fn check_parallax(pose: &RelativePose, sigma: f64, rays: &[Ray]) -> Result<(), Error> {
-    let parallax = median(&mut rays.iter().map(|ray| pose.parallactic_angle(ray)).collect::<Vec<_>>()).unwrap_or(0.0);
     let noise = sigma.max(1e-10);
+    let clearly = CLEARLY * LEAST_PARALLAX * noise;
+    // Of most pairs nearly all parallaxes are far beyond that: to count these takes less than the median of angles.
+    let tangent = libm::tan(clearly);
+    if clearly < WIDEST && 2 * rays.iter().filter(|ray| pose.meets_beyond(ray, tangent)).count() > rays.len() {
+        return Ok(());
+    }
+    let parallax = median(&mut rays.iter().map(|ray| pose.parallactic_angle(ray)).collect::<Vec<_>>()).unwrap_or(0.0);
     if parallax > LEAST_PARALLAX * noise {
         return Ok(());
     }

@@ -3,7 +3,8 @@
 use super::adjusted::Adjusted;
 use super::adjustment::{NEARLY_SETTLED, SETTLED, adjust};
 use super::agreement::{agreeing, contradicting};
-use super::coplanarity::{Linearised, Ray, RelativePose};
+use super::coplanarity::{Linearised, RelativePose};
+use super::in_twos::{linearised, projected};
 use super::normals::times;
 use super::observed::{Limits, Weighted};
 use super::refusal::near_vertical;
@@ -58,6 +59,9 @@ const CLEARLY_SMALLER: f64 = 0.9;
 /// One in so many gross errors is seen by the residuals of all: it has √50 of their σ.
 const HARDLY_ANY: usize = 50;
 
+/// By this factor a residual is beyond its limit whatever the last steps of an adjustment change.
+const CLEARLY_BEYOND: f64 = 1.1;
+
 /// Rays that meet at less than this many standard errors of a coordinate meet at infinity, for all that the observations tell.
 const PARALLEL: f64 = 5.0;
 
@@ -102,7 +106,9 @@ fn clean_by(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Result
     } else {
         // So few do not hide behind the σ of all.
         let most = limits.most_by_mistake(number);
-        let by_all = (disagreeing * HARDLY_ANY <= number).then(|| by_residuals(observed, accepted.clone(), start.model, limits, most));
+        let may_be_good =
+            disagreeing * HARDLY_ANY <= number && !(disagreeing > most && lose_more_at_once(observed, start.model, limits, most));
+        let by_all = may_be_good.then(|| by_residuals(observed, accepted.clone(), start.model, limits, most));
         if let Some(found) = by_all.and_then(Result::ok).filter(|found| found.beyond() <= most) {
             return in_front(observed, found, limits);
         }
@@ -147,21 +153,13 @@ fn weak_support(agreeing: usize, observed: Weighted<'_>) -> Error {
 /// rejected, with the adjustment that rejected them: none of them would come back.
 fn by_residuals(observed: Weighted<'_>, mut accepted: Vec<bool>, start: RelativePose, limits: Limits, most: usize) -> Result<Clean, Error> {
     let mut pose = start;
-    let at_once = 1.max(observed.rays.len() / 100);
+    let at_once = most_at_once(observed);
     loop {
         let (kept, weights) = observed.kept(&accepted);
         let adjusted = adjust(&kept, &weights, pose, SETTLED, |_| Ok(()))?;
         pose = adjusted.pose;
-        let freedom = kept.len().saturating_sub(5);
         let rejected = accepted.len() - kept.len();
-        let limit = match limits.known_sigma {
-            Some(known) => limits.normal() * known,
-            None => {
-                let alpha = significance_of_test(limits.alpha0, freedom);
-                let sigma = adjusted.sigma / variance_left(kept.len(), freedom, rejected, alpha).sqrt();
-                (tau_limit(alpha, freedom) * sigma).max(limits.normal() * limits.least_sigma())
-            }
-        };
+        let limit = limit_of_residuals(&adjusted, kept.len(), rejected, limits);
         let standardised = standardised_residuals(observed, &accepted, &adjusted, true);
         let mut beyond: Vec<usize> = (0..accepted.len()).filter(|k| accepted[*k] && standardised[*k].size > limit).collect();
         if beyond.is_empty() || kept.len() <= 5 {
@@ -176,15 +174,54 @@ fn by_residuals(observed: Weighted<'_>, mut accepted: Vec<bool>, start: Relative
     }
 }
 
+/// How many are rejected before the others are adjusted again.
+fn most_at_once(observed: Weighted<'_>) -> usize {
+    1.max(observed.rays.len() / 100)
+}
+
+/// The limit of a standardised residual in an adjustment of `kept` observations after so many were rejected.
+fn limit_of_residuals(adjusted: &Adjusted, kept: usize, rejected: usize, limits: Limits) -> f64 {
+    match limits.known_sigma {
+        Some(known) => limits.normal() * known,
+        None => {
+            let freedom = kept.saturating_sub(5);
+            let alpha = significance_of_test(limits.alpha0, freedom);
+            let sigma = adjusted.sigma / variance_left(kept, freedom, rejected, alpha).sqrt();
+            (tau_limit(alpha, freedom) * sigma).max(limits.normal() * limits.least_sigma())
+        }
+    }
+}
+
+/// Whether [`by_residuals`] of all would reject more than `most` as soon as it looks at them: then it need not be run to its end.
+///
+/// An adjustment that has nearly settled tells it. What is left of its steps moves a residual by a hundredth of its standard error, so that those
+/// which exceed the limit by a tenth exceed it in the end.
+fn lose_more_at_once(observed: Weighted<'_>, start: RelativePose, limits: Limits, most: usize) -> bool {
+    let number = observed.rays.len();
+    if most_at_once(observed) <= most {
+        return false;
+    }
+    let Ok(adjusted) = adjust(observed.rays, observed.weights, start, NEARLY_SETTLED, |_| Ok(())) else { return false };
+    let limit = CLEARLY_BEYOND * limit_of_residuals(&adjusted, number, 0, limits);
+    let standardised = standardised_residuals(observed, &vec![true; number], &adjusted, false);
+    standardised.iter().filter(|t| t.size > limit).count() > most
+}
+
 /// Leaves out what lies behind a camera: the base is the one that has most points in front.
 fn in_front(observed: Weighted<'_>, mut clean: Clean, limits: Limits) -> Result<Clean, Error> {
     loop {
         let least_angle = PARALLEL * clean.adjusted.sigma.max(limits.least_sigma());
         let pose = clean.adjusted.pose;
-        let [forwards, backwards] = [pose, RelativePose { base: -pose.base, ..pose }].map(|pose| {
-            let lies_in_front = |k: &usize| pose.in_front(&observed.rays[*k], least_angle);
-            (0..clean.accepted.len()).filter(|k| clean.accepted[*k] && !lies_in_front(k)).collect::<Vec<usize>>()
-        });
+        let (mut forwards, mut backwards) = (Vec::new(), Vec::new());
+        for k in (0..clean.accepted.len()).filter(|k| clean.accepted[*k]) {
+            let [own, opposite] = pose.in_front_of_either(&observed.rays[k], least_angle);
+            if !own {
+                forwards.push(k);
+            }
+            if !opposite {
+                backwards.push(k);
+            }
+        }
         let behind = if backwards.len() < forwards.len() { backwards } else { forwards };
         if behind.is_empty() {
             return Ok(clean);
@@ -298,8 +335,8 @@ fn sigma_of_agreeing(standardised: &[Standardised], agreeing: &mut [bool], least
 /// What agrees with the start by the start's own scale; never fewer than the consensus stands on.
 fn first_agreement(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Vec<bool> {
     let rays = observed.rays;
-    let distances: Vec<f64> =
-        rays.iter().zip(observed.weights).map(|(ray, weight)| start.model.project(ray).1.abs() * weight.sqrt()).collect();
+    let (_, mut distances) = projected(&start.model, rays);
+    distances.iter_mut().zip(observed.weights).for_each(|(distance, weight)| *distance = distance.abs() * weight.sqrt());
     let least = smallest(&mut distances.clone(), least_agreement(rays.len()) - 1);
     let reach = student_limit(normal_outside(START), least_agreement(rays.len()).saturating_sub(5)).min(FURTHEST_START);
     let threshold = (reach * start.scale.max(limits.least_sigma())).max(least);
@@ -308,23 +345,21 @@ fn first_agreement(observed: Weighted<'_>, start: &Consensus, limits: Limits) ->
 
 /// |v| / √q_vv of every observation, in units of the focal length; to first order where not `exact`.
 fn standardised_residuals(observed: Weighted<'_>, accepted: &[bool], adjusted: &Adjusted, exact: bool) -> Vec<Standardised> {
-    let tangents = adjusted.pose.tangents();
-    let standardise = |((ray, weight), accepted): ((&Ray, &f64), &bool)| {
-        let projected = exact.then(|| adjusted.pose.project(ray));
-        let Some(line) = adjusted.pose.linearise(&tangents, ray, &projected.map_or(*ray, |(at, _)| at)) else {
-            return Standardised { size: 0.0, share: 0.0 };
-        };
-        let distance = projected.map_or(line.misclosure, |(_, distance)| distance);
-        let of_unknowns = share_of_unknowns(&line, adjusted);
-        let cofactor = if *accepted { 1.0 / weight - of_unknowns } else { 1.0 / weight + of_unknowns };
+    const NOTHING: Standardised = Standardised { size: 0.0, share: 0.0 };
+    let nearest = exact.then(|| projected(&adjusted.pose, observed.rays));
+    let places = nearest.as_ref().map_or(observed.rays, |(places, _)| places);
+    let mut all = Vec::with_capacity(observed.rays.len());
+    linearised(&adjusted.pose, observed.rays, places, |k, line| {
+        let Some(line) = line else { return all.push(NOTHING) };
+        let distance = nearest.as_ref().map_or(line.misclosure, |(_, distances)| distances[k]);
+        let (weight, of_unknowns) = (observed.weights[k], share_of_unknowns(&line, adjusted));
+        let cofactor = if accepted[k] { 1.0 / weight - of_unknowns } else { 1.0 / weight + of_unknowns };
         // An observation without redundancy has no residual to judge.
-        if cofactor * weight > 1e-6 {
-            Standardised { size: distance.abs() / cofactor.sqrt(), share: (cofactor * weight).min(1.0) }
-        } else {
-            Standardised { size: 0.0, share: 0.0 }
-        }
-    };
-    observed.rays.iter().zip(observed.weights).zip(accepted).map(standardise).collect()
+        let has_redundancy = cofactor * weight > 1e-6;
+        let own = || Standardised { size: distance.abs() / cofactor.sqrt(), share: (cofactor * weight).min(1.0) };
+        all.push(if has_redundancy { own() } else { NOTHING });
+    });
+    all
 }
 
 pub(super) fn share_of_unknowns(line: &Linearised, adjusted: &Adjusted) -> f64 {

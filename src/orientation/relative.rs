@@ -12,7 +12,7 @@ use super::observed::Weighted;
 use super::other_focal::OtherFocals;
 use super::plane::PlaneFit;
 use super::precision::{derivatives, in_degrees, parameters, propagated, signed_base, standard_errors};
-use super::reliability::Judgement;
+use super::reliability::{Judgement, model_point};
 use super::result::{ErrorEllipse, PointStatistics, Warning};
 use super::robust_start::median_parallax;
 use super::shared_covariance::{self, SharedCovariance};
@@ -20,10 +20,14 @@ use super::sigma::Sigma;
 use super::warning::{condition, parallax_beside_rotation, spread, warnings};
 use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours};
 use crate::Error;
-use crate::math::joint_limit;
+use crate::math::{joint_limit, median};
 
 /// With fewer degrees of freedom the residuals are all of one size, or nearly, whatever is wrong.
 const LEAST_CHECKED: usize = 3;
+
+/// So many times as long as at photo scale, a base is beyond what any overlap allows: at the scale of the nearest ground in view, which is hardly ten
+/// times as near as its median, it leaves the photos.
+const LARGEST_BASE: f64 = 10.0;
 
 /// Orients the right photo relative to the left one, which stays fixed: ω φ κ, by and bz for a given b.
 ///
@@ -107,10 +111,12 @@ fn for_all(of_different: RelativeOrientation, different: &Different) -> Relative
     }
     let mut rejected = vec![false; different.number];
     found.rejected.iter().for_each(|k| rejected[*k] = true);
+    let different_rejected = found.rejected.len();
     found.rejected = different.spread(&rejected).iter().enumerate().filter(|(_, rejected)| **rejected).map(|(k, _)| k).collect();
+    let copies_rejected = found.rejected.len() - different_rejected;
     found.residuals_mm = different.spread(&found.residuals_mm);
     found.points = different.spread(&found.points);
-    found.warnings.push(Warning::Identical { copies: different.copies() });
+    found.warnings.push(Warning::Identical { copies: different.copies(), rejected: copies_rejected });
     found
 }
 
@@ -168,6 +174,7 @@ impl Outcome {
         if known.is_none() && degrees_of_freedom < LEAST_CHECKED {
             warnings.push(Warning::Unchecked { observations: kept.len() });
         }
+        warnings.extend(options.base_mm.and_then(|_| self.doubtful_base(kept)));
         if self.behind > 0 {
             warnings.push(Warning::Behind { points: self.behind });
         }
@@ -219,6 +226,13 @@ impl Outcome {
             rejected: self.accepted.iter().enumerate().filter(|(_, kept)| !**kept).map(|(index, _)| index).collect(),
             cameras: None,
         }
+    }
+
+    /// What speaks against a given base: the points that it leads to lie so many focal lengths away, where at photo scale they lie about one away.
+    fn doubtful_base(&self, kept: &[Ray]) -> Option<Warning> {
+        let depth = |ray: &Ray| model_point(&self.adjusted.pose, ray, self.base_mm).map(|[_, _, z]| -z / self.focal_mm);
+        let times = median(&mut kept.iter().filter_map(depth).collect::<Vec<_>>())?;
+        (times > LARGEST_BASE).then_some(Warning::DoubtfulBase { base_mm: self.base_mm, times, most: LARGEST_BASE })
     }
 
     /// Covariance for a σ: no less than that of independent errors, with what neighbours share and with what the interior orientations add,

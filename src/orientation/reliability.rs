@@ -76,7 +76,7 @@ pub(super) fn parallax_mm(distance: f64, line: &Linearised, focal_mm: f64) -> f6
 }
 
 /// Where the adjusted rays meet, in mm at photo scale.
-fn model_point(pose: &RelativePose, at: &Ray, base_mm: f64) -> Option<[f64; 3]> {
+pub(super) fn model_point(pose: &RelativePose, at: &Ray, base_mm: f64) -> Option<[f64; 3]> {
     let scale = (base_mm / pose.base.x).abs();
     let depth = pose.depth(at)? * scale;
     Some([depth * at[0], depth * at[1], -depth])

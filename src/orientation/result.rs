@@ -131,8 +131,8 @@ messages! {
         /// So few observations that they hardly check each other: a gross error in one of them is not found unless it is very large, nor does it show in the
         /// standard errors.
         Unchecked { observations: usize },
-        /// Observations that are the same as others to the last digit: each counts once.
-        Identical { copies: usize },
+        /// Observations that are the same as others to the last digit: each counts once. `rejected`: how many of the copies are rejected.
+        Identical { copies: usize, #[serde(default)] rejected: usize },
         /// Points whose rays meet behind a camera are left out.
         Behind { points: usize },
         /// The residuals contradict the σ₀ that was given: standard errors and tests use the estimated one.
@@ -142,6 +142,8 @@ messages! {
         /// Half the focal length fits nearly as well, as in a narrow view of level ground: nothing checks the given one. `ratio`: its σ₀ by that of the
         /// given one; from `least` on it would be excluded.
         UncheckedFocal { ratio: f64, least: f64 },
+        /// The base that was given is so many times as long as that at photo scale, of which up to `most` are plausible.
+        DoubtfulBase { base_mm: f64, times: f64, most: f64 },
         /// The matches that took part lie in few places of the photo; those of one place share errors, as a wrong pattern does.
         FewPlaces { places: usize, least: usize },
         /// Few matches took part, or few of the points were matched: as many agree on the geometry of a repeated pattern.
@@ -184,6 +186,8 @@ messages! {
         UncertainBase { #[serde(with = "crate::json::infinite")] half_width_deg: f64, most_deg: f64 },
         /// The standard error of a photo coordinate is larger than matching leaves it.
         Imprecise { sigma0_px: f64, most_px: f64 },
+        /// The standard error of a coordinate that somebody measured is larger than measuring leaves it.
+        Coarse { sigma0_um: f64, most_um: f64 },
     }
 }
 
@@ -197,9 +201,12 @@ impl Warning {
     /// intervals hold already.
     pub fn is_weakness(&self) -> bool {
         match self {
-            Self::Identical { .. } | Self::Behind { .. } | Self::Sigma { .. } | Self::IllConditioned { .. } | Self::UnusedPixel { .. } => {
-                false
-            }
+            Self::Identical { .. }
+            | Self::Behind { .. }
+            | Self::Sigma { .. }
+            | Self::IllConditioned { .. }
+            | Self::UnusedPixel { .. }
+            | Self::DoubtfulBase { .. } => false,
             Self::Plane { .. }
             | Self::Clustered { .. }
             | Self::Rotation { .. }
@@ -224,7 +231,8 @@ impl Warning {
             | Self::WideAngle { .. }
             | Self::UncertainBase { .. }
             | Self::Uncertain { .. }
-            | Self::Imprecise { .. } => true,
+            | Self::Imprecise { .. }
+            | Self::Coarse { .. } => true,
         }
     }
 }

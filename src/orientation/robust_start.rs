@@ -3,9 +3,11 @@
 use super::coplanarity::{Ray, RelativePose, Unknowns};
 use super::field::Field;
 use super::five_point::five_point;
+use super::in_twos::linearised;
 use super::normals::Normals;
 use crate::math::{BLOCK, Candidate, Problem, Search, consensus, median, smallest};
 use nalgebra::Matrix3;
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// The pose most observations agree with, and about how well they do: the standard error of a coordinate within a factor of two, in units
@@ -125,13 +127,13 @@ impl Poses<'_> {
     /// A pose refined by reweighted least squares (weights 1 / (1 + d²/s²)) of the first `count` observations, s shrinking with the
     /// distances but never above that of `start`: until a step is a tenth of its standard errors, or ten steps, which serves a search.
     pub fn improved(&self, start: &Consensus, count: usize) -> Consensus {
-        self.refined_until(start, count, 10, 0.1, |_, ray| *ray)
+        self.refined_until(start, count, 10, 0.1, |_, rays| Cow::Borrowed(rays))
     }
 
     /// As [`Self::improved`], until a step is a hundredth of its standard errors, with the conditions at the adjusted coordinates: at the
     /// observed ones their noise biases what is weakly determined.
     pub fn settled(&self, start: &Consensus, count: usize) -> Consensus {
-        self.refined_until(start, count, 50, 0.01, RelativePose::nearer)
+        self.refined_until(start, count, 50, 0.01, |pose, rays| rays.iter().map(|ray| pose.nearer(ray)).collect())
     }
 
     fn refined_until(
@@ -140,19 +142,19 @@ impl Poses<'_> {
         count: usize,
         steps: usize,
         share: f64,
-        adjusted: impl Fn(&RelativePose, &Ray) -> Ray,
+        adjusted: impl for<'r> Fn(&RelativePose, &'r [Ray]) -> Cow<'r, [Ray]>,
     ) -> Consensus {
         let scale = |pose: &RelativePose| (self.scale)(&mut self.field.distances(&pose.essential(), count)).min(start.scale);
+        let rays = &self.field.rays[..count.min(self.field.rays.len())];
         let mut found = Candidate { model: start.model, scale: scale(&start.model) };
         for _ in 0..steps {
-            let tangents = found.model.tangents();
             let mut normals = Normals::new();
             let weight_at = 1.0 / (found.scale * found.scale);
-            let at = |ray: &Ray| found.model.linearise(&tangents, ray, &adjusted(&found.model, ray));
-            for line in self.field.rays.iter().take(count).filter_map(at) {
+            linearised(&found.model, rays, &adjusted(&found.model, rays), |_, line| {
+                let Some(line) = line else { return };
                 let weight = 1.0 / (1.0 + line.misclosure * line.misclosure * weight_at);
                 normals.add(&line.by_unknowns, line.misclosure, weight);
-            }
+            });
             let Ok(solution) = normals.solve() else { break };
             found.model = found.model.moved(&limited(&solution.step));
             found.scale = scale(&found.model);

@@ -6,8 +6,8 @@ use super::condition::Condition;
 use super::coplanarity::{Ray, Unknowns};
 use super::interval::EstimatedPart;
 use super::normals::Matrix5;
+use super::parallax_modes::{Extent, MODES};
 use super::precision::derivatives;
-use super::shared_parallax::{Extent, MODES};
 use nalgebra::SMatrix;
 
 /// Covariance of ω φ κ (radians), by bz (mm) that shared errors give the adjusted unknowns.

@@ -45,19 +45,16 @@ pub(super) fn warnings(condition: f64, plane: Option<Warning>, spread: f64, (bes
 /// # Source
 /// Kabsch 1976, A solution for the best rotation to relate two sets of vectors.
 pub(super) fn parallax_beside_rotation(rays: &[Ray]) -> f64 {
-    let directions = |ray: &Ray| [Vector3::new(ray[0], ray[1], -1.0).normalize(), Vector3::new(ray[2], ray[3], -1.0).normalize()];
+    let direction = |x: f64, y: f64| Vector3::new(x, y, -1.0).normalize();
+    let directions: Vec<[Vector3<f64>; 2]> = rays.iter().map(|&[xl, yl, xr, yr]| [direction(xl, yl), direction(xr, yr)]).collect();
     let mut scatter = Matrix3::zeros();
-    for ray in rays {
-        let [left, right] = directions(ray);
+    for [left, right] in &directions {
         scatter += right * left.transpose();
     }
     let svd = scatter.svd(true, true);
     let (Some(u), Some(v_t)) = (svd.u, svd.v_t) else { return 0.0 };
     let mirror = if (u * v_t).determinant() < 0.0 { -1.0 } else { 1.0 };
     let rotation = u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, mirror)) * v_t;
-    let angle = |ray: &Ray| {
-        let [left, right] = directions(ray);
-        (rotation * left).cross(&right).norm()
-    };
-    median(&mut rays.iter().map(angle).collect::<Vec<_>>()).unwrap_or(0.0)
+    let angles = directions.iter().map(|[left, right]| (rotation * left).cross(right).norm());
+    median(&mut angles.collect::<Vec<_>>()).unwrap_or(0.0)
 }

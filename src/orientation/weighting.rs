@@ -3,6 +3,7 @@
 use super::adjusted::Adjusted;
 use super::adjustment::{self, adjust};
 use super::coplanarity::Ray;
+use super::in_twos::{linearised, projected};
 use super::options::Weighting;
 use super::rejection::share_of_unknowns;
 use crate::Error;
@@ -96,14 +97,13 @@ pub(super) fn reweight(
 
 /// Residuals at the pose of one adjustment by the standard errors that another gave them.
 fn standardised(rays: &[Ray], weights: &[f64], at: &Adjusted, of: &Adjusted, sigma: f64) -> Vec<f64> {
-    let tangents = of.pose.tangents();
-    let one = |(ray, weight): (&Ray, &f64)| {
-        let (projected, distance) = at.pose.project(ray);
-        let Some(line) = of.pose.linearise(&tangents, ray, &projected) else { return 0.0 };
-        let cofactor = 1.0 / weight - share_of_unknowns(&line, of);
-        if cofactor * weight > 1e-6 { distance / (cofactor.sqrt() * sigma) } else { 0.0 }
-    };
-    rays.iter().zip(weights).map(one).collect()
+    let (places, distances) = projected(&at.pose, rays);
+    let mut all = Vec::with_capacity(rays.len());
+    linearised(&of.pose, rays, &places, |k, line| {
+        let cofactor = line.map_or(0.0, |line| 1.0 / weights[k] - share_of_unknowns(&line, of));
+        all.push(if cofactor * weights[k] > 1e-6 { distances[k] / (cofactor.sqrt() * sigma) } else { 0.0 });
+    });
+    all
 }
 
 #[cfg(test)]

@@ -25,13 +25,15 @@ pub struct PlacingCamera {
 pub(super) struct PlaceErrors {
     pub plan: f64,
     pub height: f64,
+    /// Whether one level stands for all heights: what differs from it does so over whole hills.
+    pub is_level: bool,
 }
 
 impl PlaceErrors {
     /// By the options, for an orthophoto of this side of a pixel.
     pub fn new(options: &PlacingOptions, gsd: f64, has_model: bool) -> Self {
         let usual = if has_model { gsd } else { 10.0 * gsd };
-        Self { plan: options.place_sigma_px * gsd, height: options.height_sigma_m.unwrap_or(usual) }
+        Self { plan: options.place_sigma_px * gsd, height: options.height_sigma_m.unwrap_or(usual), is_level: !has_model }
     }
 }
 

@@ -96,7 +96,8 @@ impl BlockLinks {
         Ok(self.placed.get(&image))
     }
 
-    /// Images that were placed without doubt of anything but the camera of the block, which is adjusted once more with what they show of the ground.
+    /// Images that were placed without doubt of anything but the camera of the block, which is adjusted once more with what they show of the ground, and
+    /// the width of intervals, which other images of the block narrow.
     fn sure(&self) -> impl Iterator<Item = (usize, &Placement)> {
         let sure = self.placed.iter().filter(|(image, placed)| is_sure(&placed.verdict, self.as_known.contains(image)));
         sure.filter_map(|(image, placed)| Some((*image, placed.placement.as_ref()?)))
@@ -251,6 +252,7 @@ fn most_seen(links: &[Seeing], within: f64) -> Option<(&Found, Vec<&Seeing>)> {
 fn is_sure(verdict: &PlacingVerdict, is_as_known: bool) -> bool {
     match verdict {
         PlacingVerdict::Placed { .. } => true,
+        wide if wide.is_wide() => true,
         PlacingVerdict::Weak { placing_weakness: PlacingWeakness::Camera { apart, .. }, .. } => is_as_known || *apart <= MOST_APART,
         _ => false,
     }
@@ -272,6 +274,11 @@ mod tests {
         let camera =
             PlacingWeakness::Camera { camera_parameter: CameraParameter::Focal, estimated_px: 1884.3, prior_px: 1970.8, apart: 7.0 };
         assert!(is_sure(&PlacingVerdict::Weak { links: 3_000, placing_weakness: camera }, true));
+        // One that is known within a wide interval alone says no less of its links.
+        assert!(
+            weak(PlacingWeakness::Plan { height_m: 800.0, half_width_m: 64.0 })
+                && weak(PlacingWeakness::Height { height_m: 800.0, half_width_m: 64.0 })
+        );
         let of_ground = PlacingWeakness::Relief { displaced: 0.2 };
         assert!(!is_sure(&PlacingVerdict::Weak { links: 3_000, placing_weakness: of_ground }, true));
         assert!(

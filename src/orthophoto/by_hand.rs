@@ -134,7 +134,7 @@ pub fn place_by_links(
     let over = Over { image: &[], shows: &|_| true, camera, pose, reference, georeference, heights: &heights };
     // The heights are what they were where the image was placed.
     let relief = Relief { factor: height_factor(&result, known), displaced: start.and_then(|start| start.relief.displaced) };
-    let mut placement = placement(&over, &found, &parts, &result, &total_errors(&result, known), relief);
+    let mut placement = placement(&over, &found, &parts, &result, &total_errors(&result, known, errors), relief);
     placement.links.iter_mut().zip(links).for_each(|(link, given)| link.by_hand = given.by_hand);
     let placement = moved(placement, first);
     // What somebody rejected contradicts nothing.

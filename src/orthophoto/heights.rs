@@ -1,12 +1,14 @@
 //! The height of the ground: one for all, or a grid.
 
 use super::ground::Ground;
+use super::height_values::HeightValues;
 use crate::Georeference;
 use crate::crs::Vertical;
 use crate::error::refuse;
-use crate::georeferenced::{GeoTags, MOST_VALUES, Numbers, SaidSystem, Sidecars};
-use crate::image::checked_directory;
-use crate::{Error, Refusal};
+use crate::georeferenced::{GeoTags, MOST_VALUES, Numbers, SaidSystem, Sidecars, range_of};
+use crate::image::is_tiff;
+use crate::source::read_all;
+use crate::{Document, Error, FileSource, Refusal};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -16,8 +18,7 @@ pub struct HeightModel {
     pub georeference: Georeference,
     width: usize,
     height: usize,
-    /// Row by row; NaN where there is none. Models of the same ground in another system share them.
-    values: Arc<Vec<f32>>,
+    values: HeightValues,
     /// Lowest and highest.
     range: [f64; 2],
     /// Heights are so many times the values.
@@ -142,14 +143,18 @@ impl HeightModel {
         if width < 2 || height < 2 || width.checked_mul(height) != Some(values.len()) {
             return refuse(Refusal::HeightCount { heights: values.len(), width, height });
         }
-        let finite = || values.iter().filter(|v| v.is_finite()).map(|v| f64::from(*v));
-        let range = [finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max)];
-        if !(range[0] <= range[1] && range[0] >= LOWEST && range[1] <= HIGHEST) {
-            let [low, high] = range;
+        let range = range_of(&values);
+        Self::of([width, height], HeightValues::Whole(Arc::new(values)), range, georeference)
+    }
+
+    /// Of values of this lowest and highest one.
+    fn of([width, height]: [usize; 2], values: HeightValues, range: [f32; 2], georeference: Georeference) -> Result<Self, Error> {
+        let range @ [low, high] = range.map(f64::from);
+        if !(low <= high && low >= LOWEST && high <= HIGHEST) {
             return refuse(Refusal::HeightRange { low, high });
         }
         let (georeference, said) = (georeference.checked()?, Arc::default());
-        Ok(Self { georeference, width, height, values: Arc::new(values), range, factor: 1.0, unit_m: None, said })
+        Ok(Self { georeference, width, height, values, range, factor: 1.0, unit_m: None, said })
     }
 
     /// The same in the system of this code, with heights in a unit of so many m, where these are known.
@@ -161,13 +166,23 @@ impl HeightModel {
     /// says so. `sidecars`: where a TIFF lies that does not say so, and the system.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`], [`Error::UnreadableImage`] and [`Error::Degenerate`] for what is neither, is damaged or lies nowhere.
+    /// As [`open`](Self::open).
     pub fn read(file: &[u8], sidecars: impl Into<Sidecars>) -> Result<Self, Error> {
+        Self::open(Arc::new(file.to_vec()), sidecars)
+    }
+
+    /// The same of a file that is given in parts. A GeoTIFF of more than 100 million heights in tiles or strips is looked through once, and then read where
+    /// it is needed; everything else at once.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`], [`Error::UnreadableImage`] and [`Error::Degenerate`] for what is neither, is damaged or lies nowhere.
+    pub fn open(file: Arc<dyn FileSource>, sidecars: impl Into<Sidecars>) -> Result<Self, Error> {
         let sidecars = sidecars.into();
-        if matches!(file, [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..]) {
-            return Self::read_tiff(file, &sidecars);
+        if is_tiff(&file) {
+            return Self::of_tiff(file, &sidecars, HeightValues::MOST_WHOLE);
         }
-        let Ok(text) = std::str::from_utf8(file) else { return refuse(Refusal::NoHeightModel) };
+        let file = read_all(&*file, Document::Heights)?;
+        let Ok(text) = std::str::from_utf8(&file) else { return refuse(Refusal::NoHeightModel) };
         let said = sidecars.system(SaidSystem::default())?;
         Ok(Self { unit_m: said.height_unit_m, said: Arc::new(said), ..Self::read_ascii(text)? })
     }
@@ -177,13 +192,21 @@ impl HeightModel {
         self.said.epsg
     }
 
-    /// Width and height, and the heights row by row.
-    pub(crate) fn raster(&self) -> ([usize; 2], Cow<'_, [f32]>) {
-        let values = match self.factor {
-            1.0 => Cow::Borrowed(&self.values[..]),
-            factor => self.values.iter().map(|value| (factor * f64::from(*value)) as f32).collect(),
-        };
-        ([self.width, self.height], values)
+    /// Width and height.
+    pub(crate) fn size(&self) -> [usize; 2] {
+        [self.width, self.height]
+    }
+
+    /// The heights row by row.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for those that are read in parts.
+    pub(super) fn all(&self) -> Result<Cow<'_, [f32]>, Error> {
+        let values = self.values.all()?;
+        Ok(match self.factor {
+            1.0 => values,
+            factor => values.iter().map(|value| (factor * f64::from(*value)) as f32).collect(),
+        })
     }
 
     /// The same of heights that are so many times as large.
@@ -191,9 +214,9 @@ impl HeightModel {
         Self { range: self.range.map(|height| factor * height), factor: factor * self.factor, ..self }
     }
 
-    fn read_tiff(file: &[u8], sidecars: &Sidecars) -> Result<Self, Error> {
-        checked_directory(file)?;
-        let tags = GeoTags::read(file)?;
+    /// Of more than so many heights they are read where they are needed.
+    fn of_tiff(file: Arc<dyn FileSource>, sidecars: &Sidecars, most_whole: usize) -> Result<Self, Error> {
+        let tags = GeoTags::read(Arc::clone(&file))?;
         let georeference = match (tags.georeference, &sidecars.world_file) {
             (Some(own), _) => own,
             (None, Some(text)) => Georeference::read_world_file(text)?,
@@ -206,9 +229,13 @@ impl HeightModel {
         if numbers.are_as_of_picture() && !is_said {
             return refuse(Refusal::HeightsOfPicture);
         }
-        let ([width, height], values) = (numbers.size(), numbers.all()?);
+        let size @ [width, height] = numbers.size();
+        if width < 2 || height < 2 {
+            return refuse(Refusal::HeightCount { heights: width * height, width, height });
+        }
         let said = sidecars.system(tags.system)?;
-        Ok(Self { unit_m: said.height_unit_m, said: Arc::new(said), ..Self::new(width, height, values, georeference)? })
+        let (values, range) = HeightValues::of_file(numbers, most_whole)?;
+        Ok(Self { unit_m: said.height_unit_m, said: Arc::new(said), ..Self::of(size, values, range, georeference)? })
     }
 
     /// # Source
@@ -249,12 +276,11 @@ impl HeightModel {
             (first, from_centre - first as f64)
         };
         let ((column, s), (row, t)) = (along(x, self.width), along(y, self.height));
+        let values = self.values.four_from(column, row, self.width);
         // A hole counts only where it has a share.
-        let share = |c: usize, r: usize, share: f64| {
-            if share > 0.0 { share * f64::from(self.values[(row + r) * self.width + column + c]) } else { 0.0 }
-        };
-        let above = share(0, 0, (1.0 - s) * (1.0 - t)) + share(1, 0, s * (1.0 - t));
-        let height = above + share(0, 1, (1.0 - s) * t) + share(1, 1, s * t);
+        let share = |k: usize, share: f64| if share > 0.0 { share * f64::from(values[k]) } else { 0.0 };
+        let above = share(0, (1.0 - s) * (1.0 - t)) + share(1, s * (1.0 - t));
+        let height = above + share(2, (1.0 - s) * t) + share(3, s * t);
         height.is_finite().then_some(self.factor * height)
     }
 }

@@ -1,6 +1,7 @@
 //! A quick orthomosaic of an oriented block: each place is taken from the image whose projection centre is nearest in plan.
 
 use super::block_map::{BlockMap, epsg_of};
+use super::chosen::chosen;
 use super::footprint::Footprint;
 use super::ground::Ground;
 use super::heights::Heights;
@@ -33,7 +34,7 @@ const MARGIN_PX: f64 = 8.0;
 
 /// A mosaic that takes one image after the other and is written as GeoTIFF meanwhile: memory is that of one image, and of the tiles that wait for more.
 pub struct Mosaic {
-    /// Of each image of the model; absent for one that is not oriented.
+    /// Of each image of the model; absent for one that is not oriented, or not chosen.
     images: Vec<Option<Laid>>,
     heights: Heights,
     /// The way into the system in which images are oriented, where the map is another one.
@@ -62,8 +63,8 @@ struct Laid {
     reach: Reach,
 }
 
-/// What images of a block show of the ground in the system of their orientation.
-fn laid_by(model: &BlockModel, heights: &Heights) -> Vec<Option<Laid>> {
+/// What those images of a block show of the ground in the system of their orientation.
+fn laid_by(model: &BlockModel, chosen: &[bool], heights: &Heights) -> Vec<Option<Laid>> {
     let laid = |image: &ModelImage| {
         let (camera, pose) = (model.cameras[image.camera], image.pose?);
         let footprint = Footprint { camera: &camera, pose: &pose, heights };
@@ -71,7 +72,7 @@ fn laid_by(model: &BlockModel, heights: &Heights) -> Vec<Option<Laid>> {
         let (border, gsd) = if is_above { (footprint.border(), footprint.gsd()) } else { (Vec::new(), 0.0) };
         Some(Laid { camera, pose, centre: [pose.position[0], pose.position[1]], border, gsd, reach: [0..0, 0..0] })
     };
-    model.images.iter().map(laid).collect()
+    model.images.iter().zip(chosen).map(|(image, chosen)| if *chosen { laid(image) } else { None }).collect()
 }
 
 impl Laid {
@@ -110,7 +111,7 @@ impl Mosaic {
     /// [`Error::InvalidInput`] where no image is oriented, and for a side of a pixel that is none, makes more than 4000 MP, or has more than 1.5 GB wait in
     /// memory for further images.
     pub fn new(model: &BlockModel, heights: Heights, gsd: Option<f64>) -> Result<Self, Error> {
-        let images = laid_by(model, &heights);
+        let images = laid_by(model, &chosen(model, &[])?, &heights);
         Self::of(images, heights, gsd, MOST_PIXELS, 0.0)
     }
 
@@ -121,6 +122,16 @@ impl Mosaic {
     /// As [`new`](Self::new) and [`heights_of_points`]; [`Error::InvalidInput`] for a coordinate reference system in degrees, and for heights of another
     /// system than that of the block.
     pub fn of_block(run: &BlockRun, heights: Option<Heights>, gsd: Option<f64>) -> Result<Self, Error> {
+        Self::of_images(run, &[], heights, gsd)
+    }
+
+    /// The same of some images of the block, by their names, all where there are none: of one image it is that image resampled to the ground. It reaches as
+    /// far as these do.
+    ///
+    /// # Errors
+    /// As [`of_block`](Self::of_block); [`Error::InvalidInput`] for a name of no oriented image.
+    pub fn of_images(run: &BlockRun, names: &[String], heights: Option<Heights>, gsd: Option<f64>) -> Result<Self, Error> {
+        let chosen = chosen(&run.model, names)?;
         let map = BlockMap::of(run)?;
         let epsg = epsg_of(run, map.as_ref());
         let remark = heights.as_ref().zip(map.as_ref()).and_then(|(heights, map)| other_heights(run, heights, map));
@@ -128,9 +139,12 @@ impl Mosaic {
             Some(heights) => heights.for_ground(&map.as_ref().map_or_else(|| Ground::of_plane(epsg), BlockMap::ground))?,
             None => Heights::Model(heights_on_map(&run.model, map.as_ref())?),
         };
-        let Some(map) = map else { return Ok(Self { epsg, ..Self::new(&run.model, heights, gsd)? }) };
+        let Some(map) = map else {
+            let images = laid_by(&run.model, &chosen, &heights);
+            return Ok(Self { epsg, ..Self::of(images, heights, gsd, MOST_PIXELS, 0.0)? });
+        };
         let Some(coarse) = map.coarse(&heights, &run.model) else { return refuse(Refusal::OutsideMap { crs: map.name() }) };
-        let images = laid_by(&run.model, &coarse).into_iter().map(|image| image?.on(&map, &coarse)).collect();
+        let images = laid_by(&run.model, &chosen, &coarse).into_iter().map(|image| image?.on(&map, &coarse)).collect();
         // Borders are taken on coarse ground.
         let mosaic = Self::of(images, heights, gsd, MOST_PIXELS, MARGIN_PX)?;
         let nodes = MapNodes::new(&map, mosaic.georeference, mosaic.size, mosaic.heights.range());
@@ -140,14 +154,14 @@ impl Mosaic {
     /// The same of a block in the system of its adjustment, as it is laid under its map: of 100 MP at most.
     ///
     /// # Errors
-    /// As [`of_block`](Self::of_block).
-    pub fn in_adjustment(run: &BlockRun, heights: Option<Heights>, gsd: Option<f64>) -> Result<Self, Error> {
+    /// As [`of_images`](Self::of_images).
+    pub fn in_adjustment(run: &BlockRun, names: &[String], heights: Option<Heights>, gsd: Option<f64>) -> Result<Self, Error> {
         let epsg = if run.system().is_some() { None } else { epsg_of(run, None) };
         let heights = match heights {
             Some(heights) => heights.for_ground(&Ground::of_plane(epsg))?,
             None => Heights::Model(heights_of_points(&run.model)?),
         };
-        let images = laid_by(&run.model, &heights);
+        let images = laid_by(&run.model, &chosen(&run.model, names)?, &heights);
         Ok(Self { epsg, ..Self::of(images, heights, gsd, MOST_UNDER_MAP, 0.0)? })
     }
 

@@ -65,6 +65,13 @@ messages! {
     }
 }
 
+impl PlacingVerdict {
+    /// Whether nothing speaks against the place of an image but the width of its intervals.
+    pub(super) fn is_wide(&self) -> bool {
+        matches!(self, Self::Weak { placing_weakness: PlacingWeakness::Height { .. } | PlacingWeakness::Plan { .. }, .. })
+    }
+}
+
 messages! {
     /// How an image with a GNSS position was sought on an orthophoto whose system is known.
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

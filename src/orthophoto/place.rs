@@ -3,6 +3,7 @@
 use super::adjusting::PlacingCamera;
 use super::confirming::confirmed;
 use super::first_place::first_place;
+use super::heights::Heights;
 use super::options::PlacingOptions;
 use super::outcome::{NotPlaced, PlacedImage, Placement, PlacingVerdict};
 use super::photograph::Photograph;
@@ -113,11 +114,18 @@ fn placed(
     if every > 1 {
         let some: Vec<Feature> = own.iter().step_by(every).cloned().collect();
         let found = placed_by(&some, image, known, reference, area, options)?;
-        if found.as_ref().is_ok_and(|placement| matches!(verdict(placement, known), PlacingVerdict::Placed { .. })) {
+        if found.as_ref().is_ok_and(|placement| is_final(&verdict(placement, known), &reference.heights)) {
             return Ok(found);
         }
+        // What some have found is not lost where all find nothing.
+        return Ok(placed_by(&own, image, known, reference, area, options)?.or(found));
     }
     placed_by(&own, image, known, reference, area, options)
+}
+
+/// Whether more features of an image would not place it better: it is placed, or wide intervals are those of a level that stands for its ground.
+fn is_final(verdict: &PlacingVerdict, heights: &Heights) -> bool {
+    matches!(verdict, PlacingVerdict::Placed { .. }) || (matches!(heights, Heights::Level(_)) && verdict.is_wide())
 }
 
 /// By these features of the image.

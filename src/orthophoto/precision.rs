@@ -1,6 +1,6 @@
 //! Standard errors of a placed image that hold where neighbouring links share their errors, as those of one roof or one window do.
 
-use super::adjusting::PlacingCamera;
+use super::adjusting::{PlaceErrors, PlacingCamera};
 use crate::adjustment::{image_errors, linearise};
 use crate::camera::CAMERA_PARAMETERS;
 use crate::{AdjustmentResult, BlockObservation, Camera, ObservationStatistics, ObservationVerdict};
@@ -22,6 +22,19 @@ fn shifts(camera: &Camera, at: [f64; 2], height: f64) -> [[f64; 2]; SHARED.len()
     let [x, y] = [0, 1].map(|k| (at[k] - camera.principal_point_px[k]) / half);
     let cube = x * x + y * y;
     [[1.0, 0.0], [0.0, 1.0], [x, 0.0], [y, 0.0], [0.0, x], [0.0, y], [x * cube, y * cube], [x * height, y * height]]
+}
+
+/// Where one level stands for the heights, hills differ from it by these together: over the whole image, along it, and as bowls and saddles do. Camera and
+/// orientation take their place in the residuals, of which they leave the small ones.
+const HILLS: usize = 6;
+/// Standard deviation of each, as so many times what the residuals still show; never more than the standard error of the level.
+const OF_RESIDUALS: f64 = 3.0;
+
+/// What hills add to the height of a place.
+fn hills(camera: &Camera, at: [f64; 2]) -> [f64; HILLS] {
+    let half = 0.5 * f64::from(camera.width_px.max(camera.height_px));
+    let [x, y] = [0, 1].map(|k| (at[k] - camera.principal_point_px[k]) / half);
+    [1.0, x, y, x * y, x * x, y * y]
 }
 
 /// Number, sum and sum of squares.
@@ -65,11 +78,11 @@ pub(super) struct TotalErrors {
 ///
 /// # Source
 /// Liang & Zeger 1986, Longitudinal data analysis using generalized linear models (the covariance of clusters, enlarged by C / (C - 1)).
-pub(super) fn total_errors(result: &AdjustmentResult, known: &PlacingCamera) -> TotalErrors {
+pub(super) fn total_errors(result: &AdjustmentResult, known: &PlacingCamera, errors: PlaceErrors) -> TotalErrors {
     let image = &result.images[0];
     let own =
         TotalErrors { angles_deg: image.angle_errors_deg, position: image.position_errors, camera: result.cameras[0].standard_errors };
-    let Some(clustered) = clustered(result, known) else { return own };
+    let Some(clustered) = clustered(result, known, errors) else { return own };
     let larger = |own: Option<[f64; 3]>, other: Option<[f64; 3]>| match (own, other) {
         (Some(own), Some(other)) => Some([0, 1, 2].map(|k| own[k].max(other[k]))),
         (own, other) => own.or(other),
@@ -136,7 +149,7 @@ pub(super) fn in_cells(camera: &Camera, weighted: impl Iterator<Item = ([f64; 2]
     (cells >= 2.0).then(middle)
 }
 
-fn clustered(result: &AdjustmentResult, known: &PlacingCamera) -> Option<TotalErrors> {
+fn clustered(result: &AdjustmentResult, known: &PlacingCamera, errors: PlaceErrors) -> Option<TotalErrors> {
     let (camera, pose) = (&result.block.cameras[0], &result.block.images[0].pose);
     let free = estimated(result);
     let unknowns = OF_IMAGE + free.len();
@@ -144,12 +157,16 @@ fn clustered(result: &AdjustmentResult, known: &PlacingCamera) -> Option<TotalEr
     let mut normal = DMatrix::<f64>::zeros(unknowns, unknowns);
     let mut fields = vec![DVector::<f64>::zeros(unknowns); SHARED.len()];
     let heights = Spread::of(result);
-    let mut squares = Spread::default();
+    let mut of_hills = vec![DVector::<f64>::zeros(unknowns); HILLS];
+    let (mut squares, mut by_height) = (Spread::default(), Spread::default());
     let rows = accepted_rows(result, &free);
     for row in &rows {
         let by_field = shifts(camera, row.at, heights.standardised(row.place[2]));
+        let by_hill = hills(camera, row.at);
         for (axis, a) in row.by_unknowns.iter().enumerate() {
             squares.add(row.residual_px[axis]);
+            by_height.add(row.by_height[axis]);
+            of_hills.iter_mut().zip(by_hill).for_each(|(field, hill)| *field += row.weight * row.by_height[axis] * hill * a);
             normal += row.weight * a * a.transpose();
             fields.iter_mut().zip(by_field).for_each(|(field, shift)| *field += row.weight * shift[axis] * a);
         }
@@ -162,6 +179,11 @@ fn clustered(result: &AdjustmentResult, known: &PlacingCamera) -> Option<TotalEr
     let rms_px = squares.square_mean().sqrt();
     for (field, share) in fields.iter().zip(SHARED) {
         middle += share * rms_px * (share * rms_px) * field * field.transpose();
+    }
+    if errors.is_level {
+        let shown = OF_RESIDUALS * rms_px / by_height.square_mean().sqrt();
+        let height = shown.min(errors.height);
+        of_hills.iter().for_each(|field| middle += height * height * field * field.transpose());
     }
     for (k, weight) in prior_weights(&free, known, sigma0) {
         normal[(k, k)] += weight;
@@ -187,8 +209,8 @@ mod tests {
 
     const POSE: Pose = Pose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], position: [0.0, 0.0, 500.0] };
 
-    /// Of X, Y, Z, ω, φ, κ, of a photo over such hills by a camera that differs from what is known of it as its kind does.
-    fn errors_by_standard_errors(seed: u32, hills_m: f64) -> [f64; 6] {
+    /// Of X, Y, Z, ω, φ, κ, of a photo over such ground by a camera that differs from what is known of it as its kind does; with its heights, or on one level.
+    fn errors_by_standard_errors(seed: u32, ground: fn(f64, f64) -> f64, has_model: bool) -> [f64; 6] {
         let uncertainty = CameraUncertainty::EXIF;
         let nominal = Camera::without_distortion(1000, 750, 1000.0);
         let mut random = Random::new(seed);
@@ -206,17 +228,17 @@ mod tests {
         let mut links = Vec::new();
         while links.len() < 500 {
             let [x, y] = [320.0 * normal() / 1.5, 240.0 * normal() / 1.5];
-            let z = 0.5 * hills_m * (libm::sin(x / 40.0) + libm::cos(y / 30.0));
+            let z = ground(x, y);
             let Some([column, row]) = seen.at(&[x, y, z]) else { continue };
             let at = [column + 0.4 * normal(), row + 0.4 * normal()];
             if lens.sees(at[0], at[1]) {
-                links.push(Found { at, place: [x, y, z], height_spread: 0.0, measured_px: 0.3 });
+                links.push(Found { at, place: [x, y, if has_model { z } else { 0.0 }], height_spread: 0.0, measured_px: 0.3 });
             }
         }
         let known = PlacingCamera { camera: nominal, uncertainty, decentring: None };
-        let errors = PlaceErrors::new(&PlacingOptions::default(), 0.5, true);
+        let errors = PlaceErrors::new(&PlacingOptions::default(), 0.5, has_model);
         let result = adjusted(&links, &known, (nominal, POSE), errors).unwrap();
-        let total = total_errors(&result, &known);
+        let total = total_errors(&result, &known, errors);
         let pose = result.block.images[0].pose;
         let (position, angles) = (total.position.unwrap(), total.angles_deg.unwrap());
         let own = pose.angles();
@@ -228,7 +250,8 @@ mod tests {
 
     #[test]
     fn standard_errors_hold_what_files_do_not_know_of_a_lens() {
-        let all: Vec<[f64; 6]> = (0..24).map(|seed| errors_by_standard_errors(seed, 20.0)).collect();
+        let hills = |x: f64, y: f64| 10.0 * (libm::sin(x / 40.0) + libm::cos(y / 30.0));
+        let all: Vec<[f64; 6]> = (0..24).map(|seed| errors_by_standard_errors(seed, hills, true)).collect();
         let [x, y, z, omega, phi, kappa]: [f64; 6] =
             std::array::from_fn(|k| all.iter().map(|ratios| ratios[k] * ratios[k]).sum::<f64>() / all.len() as f64);
         for square in [x, y, omega, phi] {
@@ -236,5 +259,17 @@ mod tests {
         }
         // They hold errors that these links have not: of what grows outwards and with the height.
         assert!(z < 1.0 && kappa < 1.0, "{z} {kappa}");
+    }
+
+    #[test]
+    fn standard_errors_hold_hills_that_a_level_is_not_and_level_ground_stays_precise() {
+        // A slope and a valley, which the image takes for its own tilt and height, and what is left for the residuals.
+        let hills = |x: f64, y: f64| 6.0 * x / 300.0 - 5.0 * (y / 300.0) * (y / 300.0) + 2.0 * libm::sin(x / 25.0);
+        let of = |ground| -> Vec<[f64; 6]> { (0..8).map(|seed| errors_by_standard_errors(seed, ground, false)).collect() };
+        let squares =
+            |all: &[[f64; 6]]| [0, 1, 3, 4].map(|k: usize| all.iter().map(|ratios| ratios[k] * ratios[k]).sum::<f64>() / all.len() as f64);
+        for of_ground in [squares(&of(hills)), squares(&of(|_, _| 0.0))] {
+            assert!(of_ground.iter().all(|square| *square < 2.0), "{of_ground:?}");
+        }
     }
 }

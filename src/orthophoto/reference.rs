@@ -10,10 +10,10 @@ use crate::Georeference;
 use crate::error::refuse;
 use crate::georeferenced::{GeoTags, SaidSystem, Sidecars, refuse_degrees};
 use crate::image::{TiffRaster, Wanted, is_tiff};
-use crate::source::read_all;
+use crate::source::{read_all, unread};
 use crate::{
-    Bands, DecodeLimits, Document, Error, Feature, FeatureOptions, FileFault, FileSource, GreyImage, Refusal, ScalePoint, decode,
-    decode_bands, features,
+    Bands, DecodeLimits, Document, Error, Feature, FeatureOptions, FileSource, GreyImage, Refusal, ScalePoint, decode, decode_bands,
+    features,
 };
 use std::io;
 use std::sync::Arc;
@@ -81,12 +81,12 @@ impl Orthophoto {
         let (picture, format) = match raster {
             Some(raster) => (of_raster(raster, &file, tags.no_data, limits)?, "TIFF"),
             None => {
-                let bytes = read_all(&*file).map_err(|e| unread(&e))?;
+                let bytes = read_all(&*file, Document::Orthophoto)?;
                 let decoded = decode(&bytes, limits)?;
                 let empty = tags.no_data.filter(|v| (0.0..=255.0).contains(v)).map_or(EMPTY, |v| v as u8);
                 let nothing: Vec<bool> = decoded.grey.data().iter().map(|value| *value == empty).collect();
                 let (again, limits) = (Arc::clone(&file), *limits);
-                let colours = move || decode_bands(&read_all(&*again).map_err(|e| unread(&e))?, &limits);
+                let colours = move || decode_bands(&read_all(&*again, Document::Orthophoto)?, &limits);
                 (Picture::coloured(decoded.grey, &nothing, colours), decoded.format)
             }
         };
@@ -256,11 +256,6 @@ fn shown_pixels([width, height]: [usize; 2]) -> Result<usize, Error> {
     Ok(number)
 }
 
-/// The error for a file that the host does not give.
-fn unread(error: &io::Error) -> Error {
-    Error::UnreadableFile { document: Document::Orthophoto, file_place: None, file_fault: FileFault::System { message: error.to_string() } }
-}
-
 /// A picture of a TIFF: whole where it is small.
 fn of_raster(
     raster: TiffRaster<Arc<dyn FileSource>>,
@@ -287,7 +282,7 @@ fn of_raster(
     let file = Arc::clone(file);
     let colours = move || {
         let raster = TiffRaster::open(Arc::clone(&file), no_data, MOST_CHUNK)?;
-        let raster = raster.ok_or_else(|| unread(&io::ErrorKind::InvalidData.into()))?;
+        let raster = raster.ok_or_else(|| unread(Document::Orthophoto, &io::ErrorKind::InvalidData.into()))?;
         Bands::of(size, raster.read(0, [0, 0], size, Wanted::Colours)?.bands)
     };
     Ok(Picture::coloured(grey, &pixels.nothing, colours))

@@ -60,15 +60,16 @@ fn weakness(placement: &Placement, known: &PlacingCamera, links: usize) -> Optio
     if let Some(contradiction) = of_heights(placement) {
         return Some(contradiction);
     }
+    // A camera that is another one makes heights wrong whose intervals may be wide, too.
+    if let Some(contradiction) = contradiction(placement, known) {
+        return Some(contradiction);
+    }
     let (height_m, [x, y, z]) = (placement.above_ground_m, half_widths(placement));
     if !(z <= MOST_WIDTH * height_m) {
         return Some(PlacingWeakness::Height { height_m, half_width_m: z });
     }
     if !(x.max(y) <= MOST_WIDTH * height_m) {
         return Some(PlacingWeakness::Plan { height_m, half_width_m: x.max(y) });
-    }
-    if let Some(contradiction) = contradiction(placement, known) {
-        return Some(contradiction);
     }
     let rmse_px = placement.rmse_px;
     (rmse_px > USUAL_RMSE_PX).then_some(PlacingWeakness::Noise { rmse_px, usual_px: USUAL_RMSE_PX })

@@ -30,10 +30,9 @@ pub fn write_geotiff(rectified: &Rectified, epsg: Option<u16>) -> Result<Vec<u8>
 /// Writes a model of heights as GeoTIFF of floating-point numbers, in tiles, Deflate; NaN stands for nothing.
 ///
 /// # Errors
-/// As [`write_geotiff`].
+/// As [`write_geotiff`]; [`Error::InvalidInput`] for a model of more than 100 million heights.
 pub fn write_heights(model: &HeightModel, epsg: Option<u16>) -> Result<Vec<u8>, Error> {
-    let (size, values) = model.raster();
-    write_floats(size, &values, &model.georeference, epsg, None)
+    write_floats(model.size(), &model.all()?, &model.georeference, epsg, None)
 }
 
 /// Writes numbers of a grid on the ground as GeoTIFF of floating-point numbers, in tiles, Deflate; NaN stands for nothing. `epsg`: the code of its system; `unit_m`: its unit.

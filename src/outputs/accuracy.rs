@@ -170,7 +170,7 @@ impl AccuracyMap {
 /// The cells over the ground.
 fn grid(ground: &Heights, cell: Option<f64>) -> Result<(Georeference, [usize; 2]), Error> {
     let Heights::Model(model) = ground else { unreachable!("the heights are those of the tie points") };
-    let ([columns, rows], _) = model.raster();
+    let [columns, rows] = model.size();
     let of = model.georeference;
     let [wide, high] = [columns, rows].map(|number| number as f64 * of.gsd());
     let cell = cell.unwrap_or(wide.max(high) / USUAL_CELLS);

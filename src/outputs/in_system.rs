@@ -5,7 +5,7 @@
 //! of coordinates: its two places have other axes.
 
 use super::precision::{ImageErrors, image_errors, point_errors, written};
-use crate::crs::{CoordinateSystem, HeightZero};
+use crate::crs::{CoordinateSystem, HeightReference, HeightZero};
 use crate::math::{dot3, median};
 use crate::pipeline::is_place_of_orthophoto;
 use crate::text::shorten;
@@ -137,7 +137,7 @@ impl<'a> InSystem<'a> {
             }
             None => crs().map(|crs| Remark::NoResultSystem { crs: shorten(&crs) }).or_else(|| self.gnss_without_system()),
         });
-        remarks.extend(self.geoid());
+        remarks.extend(self.geoid().or_else(|| self.ellipsoidal()));
         remarks
     }
 
@@ -152,6 +152,20 @@ impl<'a> InSystem<'a> {
         });
         let [low_m, high_m] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)]);
         (low_m <= high_m).then(|| Remark::Geoid { name: geoid.name.clone(), low_m, high_m })
+    }
+
+    /// Heights that are above the ellipsoid although the system has heights of its own: those of GNSS positions, which nothing leads to these.
+    fn ellipsoidal(&self) -> Option<Remark> {
+        let (system, _) = self.chosen.as_ref()?;
+        let has_own = system.definition().heights() == HeightReference::Other;
+        let name = || system.definition().name();
+        (has_own && !system.zero().is_known() && self.uses_gnss_heights()).then(|| Remark::EllipsoidalHeights { crs: name() })
+    }
+
+    /// Whether heights of GNSS positions take part.
+    fn uses_gnss_heights(&self) -> bool {
+        let has_height = |image: &BlockImage| image.gnss.is_some_and(|gnss| gnss.sigma[2].is_some());
+        written(self.run).is_some_and(|model| model.adjusted.block.images.iter().any(has_height))
     }
 
     /// GNSS positions that take no part, since nothing leads from the earth to the control points.
@@ -171,8 +185,7 @@ impl<'a> InSystem<'a> {
             return None;
         }
         // Without control points they take part.
-        let has_height = |image: &BlockImage| image.gnss.is_some_and(|gnss| gnss.sigma[2].is_some());
-        if written(self.run).is_some_and(|model| model.adjusted.block.images.iter().any(has_height)) {
+        if self.uses_gnss_heights() {
             return None;
         }
         let images = self.run.images.iter().zip(&self.run.model.images);

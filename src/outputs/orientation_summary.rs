@@ -3,6 +3,7 @@
 use super::check_summary::CheckSummary;
 use super::in_system::InSystem;
 use super::with_text::WithText;
+use crate::math::median;
 use crate::{
     BlockRun, BlockWarning, Camera, Datum, Factors95, Failure, GeographicOrigin, ObservationVerdict, RayCountRmse, ReconstructedModel,
     SystematicError, SystematicStatistics, UnorientedReason, VarianceComponent,
@@ -45,6 +46,10 @@ pub struct ModelSummary {
     pub degrees_of_freedom: usize,
     /// By what standard errors grow for intervals, ellipses and ellipsoids of 95 %; absent without standard errors.
     pub factors_95: Option<Factors95>,
+    /// Medians over the images of the total standard errors of positions and of ω φ κ, along and about the axes of the adjustment; absent without
+    /// statistics.
+    pub position_errors_m: Option<[f64; 3]>,
+    pub angle_errors_deg: Option<[f64; 3]>,
     pub rays_rejected: usize,
     /// Root mean square residuals of the GNSS positions that took part, of each coordinate; absent without any.
     pub position_rmse_m: Option<[f64; 3]>,
@@ -142,6 +147,8 @@ fn model_summary(model: &ReconstructedModel, shown: &InSystem<'_>, name: impl Fn
         rmse_by_rays: adjusted.rmse_by_rays.clone(),
         degrees_of_freedom: adjusted.degrees_of_freedom,
         factors_95: adjusted.factors_95(),
+        position_errors_m: medians(adjusted.images.iter().filter_map(|image| image.position_errors)),
+        angle_errors_deg: medians(adjusted.images.iter().filter_map(|image| image.angle_errors_deg)),
         rays_rejected: model.rejected.len() + adjusted.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count(),
         position_rmse_m: (!residuals.is_empty()).then(|| [0, 1, 2].map(root_mean_square)),
         components: adjusted
@@ -153,4 +160,11 @@ fn model_summary(model: &ReconstructedModel, shown: &InSystem<'_>, name: impl Fn
         checks: CheckSummary::of(&shown.points_of(model)),
         warnings: model.warnings.iter().cloned().map(WithText::of).collect(),
     }
+}
+
+/// Of each of three values; absent without any.
+fn medians(all: impl Iterator<Item = [f64; 3]>) -> Option<[f64; 3]> {
+    let all: Vec<[f64; 3]> = all.collect();
+    let of = |axis: usize| median(&mut all.iter().map(|values| values[axis]).collect::<Vec<f64>>());
+    Some([of(0)?, of(1)?, of(2)?])
 }

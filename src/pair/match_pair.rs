@@ -80,11 +80,14 @@ pub fn match_described_pair(
     // marks on both sides are of two photographs.
     let positions: Vec<[f64; 4]> = matching.matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
     let one_image = if are_scans(&known) { None } else { OneImage::of(&positions, known.map(|photo| photo.size)) };
-    let orientation = match (&interior, &geometry, one_image) {
+    let few = NoOrientation::of_few(matching.matches.len());
+    let orientation = match (&interior, &geometry, one_image, few) {
         (Err(reason @ NoOrientation::Panorama { .. }), ..) => Err(reason.clone()),
         // No camera helps photos that have no geometry.
-        (_, Some(Err(no_geometry)), _) => Err(NoOrientation::NoGeometry { no_geometry: *no_geometry }),
-        (.., Some(one_image)) => Err(one_image.reason()),
+        (_, Some(Err(no_geometry)), ..) => Err(NoOrientation::NoGeometry { no_geometry: *no_geometry }),
+        (_, _, Some(one_image), _) => Err(one_image.reason()),
+        // Nor photos that hardly have matches.
+        (.., Some(few)) => Err(few),
         (Err(reason), ..) => Err(reason.clone()),
         _ if is_rotation => Err(NoOrientation::PureRotation),
         (Ok(interior), ..) => match orient_matches(&matching.matches, interior, &settings.orientation) {

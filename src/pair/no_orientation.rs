@@ -1,6 +1,7 @@
 //! Why a pair has no orientation.
 
 use crate::message::messages;
+use crate::orientation::LEAST_OBSERVATIONS;
 use crate::{CameraCaution, Error, NoGeometry, Side};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -12,6 +13,8 @@ messages! {
     #[serde(tag = "kind", rename_all = "snake_case")]
     #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
     pub enum NoOrientation as "no_orientation" {
+        /// Fewer matches than an orientation takes: no camera makes up for them.
+        TooFewMatches { matches: usize, needed: usize },
         /// No camera is given, and an image names none.
         NoCamera { side: Side },
         /// Fiducial marks without a focal length.
@@ -40,6 +43,13 @@ messages! {
             #[serde(deserialize_with = "of_any_version")]
             error: Error,
         },
+    }
+}
+
+impl NoOrientation {
+    /// The reason that so few matches are, whatever else is missing; `None` where they are enough.
+    pub fn of_few(matches: usize) -> Option<Self> {
+        (matches < LEAST_OBSERVATIONS).then_some(Self::TooFewMatches { matches, needed: LEAST_OBSERVATIONS })
     }
 }
 

@@ -110,6 +110,11 @@ impl Evidence {
     }
 }
 
+/// The similarity nearest to matches `[x left, y left, x right, y right]`, as a complex number; `None` where they lie on a line.
+pub(super) fn similarity_of(matches: &[[f64; 4]]) -> Option<[f64; 2]> {
+    Map::fitted(matches).map(|map| map.similarity)
+}
+
 /// The first match of each cell, in the order of the matches.
 fn one_a_cell(matches: &[[f64; 4]]) -> Vec<[f64; 4]> {
     let cell = |v: f64| libm::floor(v / CELL_PX) as i64;

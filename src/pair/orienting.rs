@@ -2,9 +2,10 @@
 
 use super::geometry::PairInterior;
 use super::self_calibration::{self, Measured};
+use super::shared_parallax::{is_at_a_pixel, shared_parallax};
 use super::weakness::NEIGHBOURHOOD_PX;
 use crate::math::median;
-use crate::orientation::{Estimate, MODES, RelativePose, SHARED_BY_FEATURES, SHARED_BY_FITS};
+use crate::orientation::{Estimate, MODES, RelativePose};
 use crate::{
     Cause, Computation, Error, ErrorModel, Fit, Interior, Match, Observation, OrientationOptions, RelativeOrientation, SharedErrors,
     Warning, Weighting,
@@ -29,11 +30,6 @@ const SAME_PX: f64 = 0.05;
 const LEAST_OF_A_KIND: usize = 50;
 /// The least weight of matches without a fit: positions of features are not ten times poorer than those of windows.
 const LEAST_WEIGHT: f64 = 0.01;
-
-/// Whether all four positions of a match lie at the centres of pixels.
-fn are_whole_pixels(positions: &[f64; 4]) -> bool {
-    positions.iter().all(|v| v - libm::floor(*v) == 0.5)
-}
 
 /// Orients the right photo from matches, weighted by the precision that least squares matching gave them. The total standard errors allow
 /// for what matches share, and for the errors of cameras and interior orientations where these are known.
@@ -69,8 +65,8 @@ fn are_without_parallax(matches: &[Match]) -> bool {
 }
 
 fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &OrientationOptions) -> Result<RelativeOrientation, Error> {
-    let WeightedMatches { positions, weights, with_fit, estimate } = WeightedMatches::of(matches, interior, options)?;
-    let shared = if 2 * with_fit > matches.len() { SHARED_BY_FITS } else { SHARED_BY_FEATURES };
+    let WeightedMatches { positions, weights, estimate } = WeightedMatches::of(matches, interior, options)?;
+    let shared = shared_parallax(matches);
     let mut found = described_as_given(estimate, &positions, shared, interior)?;
     if self_calibration::tells_more(interior) {
         // Estimated cameras decide which matches are gross errors, and these the cameras.
@@ -102,8 +98,6 @@ pub(crate) fn sigma0_of_all_mm(matches: &[Match], interior: &PairInterior, turn_
 struct WeightedMatches {
     positions: Vec<[f64; 4]>,
     weights: Vec<f64>,
-    /// How many least squares matching confirmed.
-    with_fit: usize,
     estimate: Estimate,
 }
 
@@ -114,13 +108,12 @@ impl WeightedMatches {
         let positions: Vec<[f64; 4]> = matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
         let fits: Vec<Option<Fit>> = matches.iter().map(|m| m.fit).collect();
         let mut weights = match_weights(&fits);
-        let with_fit = fits.iter().flatten().count();
         let mut estimate = estimated(&positions, &weights, interior, options)?;
         if let Some(weight) = weight_without_fit(&fits, &weights, &estimate) {
             weights.iter_mut().zip(&fits).filter(|(_, fit)| fit.is_none()).for_each(|(own, _)| *own = weight);
             estimate = estimate.reweighted(&weights)?;
         }
-        Ok(Self { positions, weights, with_fit, estimate })
+        Ok(Self { positions, weights, estimate })
     }
 }
 
@@ -198,7 +191,11 @@ fn described_as_given(
 fn estimated(positions: &[[f64; 4]], weights: &[f64], interior: &PairInterior, options: &OrientationOptions) -> Result<Estimate, Error> {
     let mut observed = observations(positions, &interior.left, &interior.right);
     observed.iter_mut().zip(weights).for_each(|(observation, weight)| observation.weight = *weight);
-    let resolution_mm = if positions.iter().all(are_whole_pixels) { WHOLE_PIXEL_SIGMA * interior.left.pixel_mm() } else { 0.0 };
+    let resolution_mm = if positions.iter().all(|[xl, yl, xr, yr]| is_at_a_pixel([*xl, *yl]) && is_at_a_pixel([*xr, *yr])) {
+        WHOLE_PIXEL_SIGMA * interior.left.pixel_mm()
+    } else {
+        0.0
+    };
     Estimate::of(&observed, resolution_mm, interior.focal_mm, options)
 }
 

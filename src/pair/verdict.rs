@@ -29,7 +29,11 @@ messages! {
         /// `worst_half_width_deg`: of what is known worst.
         Oriented {
             points: usize,
-            sigma0_px: f64,
+            /// Absent where observations are measured in mm, of pixels that nobody knows.
+            sigma0_px: Option<f64>,
+            /// In its place then.
+            #[serde(default)]
+            sigma0_um: Option<f64>,
             kappa_deg: f64,
             #[serde(with = "crate::json::infinite")]
             half_width_deg: f64,
@@ -47,14 +51,26 @@ messages! {
 impl PairVerdict {
     /// The verdict on an orientation of matches; `pixel_mm`: the pixel's size at photo scale.
     pub fn of(orientation: &RelativeOrientation, pixel_mm: f64) -> Self {
-        let points = orientation.residuals_mm.len() - orientation.rejected.len();
+        Self::with(orientation, [Some(orientation.sigma0_mm.unwrap_or(0.0) / pixel_mm), None])
+    }
+
+    /// The verdict on an orientation of observations in mm.
+    pub fn of_observations(orientation: &RelativeOrientation) -> Self {
+        Self::with(orientation, [None, Some(1000.0 * orientation.sigma0_mm.unwrap_or(0.0))])
+    }
+
+    fn with(orientation: &RelativeOrientation, [sigma0_px, sigma0_um]: [Option<f64>; 2]) -> Self {
+        let of_copies = |warning: &Warning| if let Warning::Identical { copies, rejected } = warning { copies - rejected } else { 0 };
+        let copies: usize = orientation.warnings.iter().map(of_copies).sum();
+        let points = orientation.residuals_mm.len() - orientation.rejected.len() - copies;
         match orientation.warnings.iter().find(|warning| warning.is_weakness()) {
             Some(warning) => Self::Weak { points, warning: *warning },
             None => {
                 let (worst, worst_half_width_deg) = worst_of(orientation);
                 Self::Oriented {
                     points,
-                    sigma0_px: orientation.sigma0_mm.unwrap_or(0.0) / pixel_mm,
+                    sigma0_px,
+                    sigma0_um,
                     kappa_deg: orientation.parameters.kappa_deg,
                     half_width_deg: orientation.half_widths_95.map_or(f64::INFINITY, |half| half.kappa_deg),
                     worst,

@@ -3,7 +3,7 @@
 use super::geometry::PairInterior;
 use super::one_image::may_be_one;
 use super::self_calibration;
-use crate::{EstimatedCamera, Match, RelativeOrientation, Side, Warning};
+use crate::{EstimatedCamera, Match, Observation, RelativeOrientation, Side, Warning};
 use std::collections::BTreeSet;
 
 /// Windows of points nearer than this overlap, or see the same edges and roofs.
@@ -23,6 +23,8 @@ const LARGEST_BASE_DEG: f64 = 20.0;
 /// σ₀ that matching reaches where the camera is right, and that it never reaches but within one image, in px.
 pub const LARGEST_SIGMA0_PX: f64 = 1.0;
 const LEAST_SIGMA0_PX: f64 = 0.02;
+/// σ₀ of what somebody measured, as a share of the focal length: half a millimetre in an aerial photo, and ten pixels of a camera.
+const LARGEST_MEASURED_SIGMA0: f64 = 1.0 / 300.0;
 /// Standard error of a focal length that the pair itself determines, as a share of it. The rotation takes part in its errors, which matches
 /// tell worse than they say where the ground is flat or the lens is not what k1 describes: wrong poses had 3.6 % and more, and errors of
 /// 1.5° 2.1 %.
@@ -37,8 +39,6 @@ pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInte
     let evidence = evidence(matches, &found.rejected);
     let least_matches = points.map_or(LEAST_MATCHES, least_matches);
     let places = places_of(&evidence);
-    let agreeing = accepted.len() as f64 >= LEAST_SHARE * positions.len() as f64;
-    let [angle_deg, base_deg] = half_widths_deg(&found);
     // Without redundancy nothing tells the precision: there are too few matches.
     let sigma0_px = found.sigma0_mm.unwrap_or(f64::NAN) / interior.left.pixel_mm();
     let is_calibrated = self_calibration::is_calibrated(interior);
@@ -47,14 +47,14 @@ pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInte
         (interior.left.is_mirrored(), Warning::MirroredMarks { side: Side::Left }),
         (interior.right.is_mirrored(), Warning::MirroredMarks { side: Side::Right }),
         (self_calibration::tells_more(interior) && !is_determined(&found), Warning::UnknownCamera),
-        (!agreeing, Warning::FewAgree { accepted: accepted.len(), matches: positions.len() }),
+        few_agree(accepted.len(), positions.len()),
         (evidence.len() < least_matches, Warning::FewMatches { matches: evidence.len(), least: least_matches }),
         (places < LEAST_PLACES, Warning::FewPlaces { places, least: LEAST_PLACES }),
         (sigma0_px < LEAST_SIGMA0_PX, Warning::Exact { sigma0_px, least_px: LEAST_SIGMA0_PX }),
         (sigma0_px > LARGEST_SIGMA0_PX, Warning::Imprecise { sigma0_px, most_px: LARGEST_SIGMA0_PX }),
-        (is_calibrated && found.spread > LARGEST_COVERAGE, Warning::WideAngle { coverage: found.spread, most: LARGEST_COVERAGE }),
-        (angle_deg > LARGEST_ANGLE_DEG, Warning::Uncertain { half_width_deg: angle_deg, most_deg: LARGEST_ANGLE_DEG }),
-        (base_deg > LARGEST_BASE_DEG, Warning::UncertainBase { half_width_deg: base_deg, most_deg: LARGEST_BASE_DEG }),
+        (is_calibrated && reaches_far(&found), Warning::WideAngle { coverage: found.spread, most: LARGEST_COVERAGE }),
+        uncertain(&found),
+        uncertain_base(&found),
     ];
     // Whether there are two photographs comes before all else. Scans with fiducial marks are.
     let similarity_alone = (!interior.are_scans && may_be_one(&positions)).then_some(Warning::SimilarityAlone);
@@ -65,6 +65,46 @@ pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInte
         .chain(found.warnings.iter().copied())
         .chain(told.into_iter().filter(|(holds, _)| *holds).map(|(_, warning)| warning));
     RelativeOrientation { warnings: warnings.collect(), ..found }
+}
+
+/// The orientation of observations that somebody measured, with what speaks against it among its warnings. What tells matches of a repeated pattern
+/// from others, as their number, does not count: nobody measures these. Nor does their precision in px, whose size is not known, but that by the focal
+/// length does: of few observations most may be wrong, and none is worse than the others. What seems to be no parallax follows from it.
+pub fn judged_observations(found: RelativeOrientation, observations: &[Observation]) -> RelativeOrientation {
+    let positions: Vec<[f64; 4]> = observations.iter().map(|o| [o.left[0], o.left[1], o.right[0], o.right[1]]).collect();
+    let accepted = accepted(&positions, &found.rejected);
+    let [sigma0_um, most_um] = [found.sigma0_mm.unwrap_or(f64::NAN), LARGEST_MEASURED_SIGMA0 * found.focal_mm].map(|mm| 1000.0 * mm);
+    let coarse = (sigma0_um > most_um).then_some(Warning::Coarse { sigma0_um, most_um });
+    let told = [
+        (is_mirrored(&accepted), Warning::Mirrored),
+        few_agree(accepted.len(), positions.len()),
+        (reaches_far(&found), Warning::WideAngle { coverage: found.spread, most: LARGEST_COVERAGE }),
+        uncertain(&found),
+        uncertain_base(&found),
+    ];
+    let told = told.into_iter().filter(|(holds, _)| *holds).map(|(_, warning)| warning);
+    RelativeOrientation { warnings: coarse.into_iter().chain(found.warnings.iter().copied()).chain(told).collect(), ..found }
+}
+
+/// Each warning with whether it holds.
+type Told = (bool, Warning);
+
+fn few_agree(accepted: usize, matches: usize) -> Told {
+    ((accepted as f64) < LEAST_SHARE * matches as f64, Warning::FewAgree { accepted, matches })
+}
+
+fn reaches_far(found: &RelativeOrientation) -> bool {
+    found.spread > LARGEST_COVERAGE
+}
+
+fn uncertain(found: &RelativeOrientation) -> Told {
+    let half_width_deg = found.half_widths_95.map_or(f64::NAN, |half| half.omega_deg.max(half.phi_deg).max(half.kappa_deg));
+    (half_width_deg > LARGEST_ANGLE_DEG, Warning::Uncertain { half_width_deg, most_deg: LARGEST_ANGLE_DEG })
+}
+
+fn uncertain_base(found: &RelativeOrientation) -> Told {
+    let half_width_deg = base_half_width_deg(found);
+    (half_width_deg > LARGEST_BASE_DEG, Warning::UncertainBase { half_width_deg, most_deg: LARGEST_BASE_DEG })
 }
 
 /// The least number of matches by which a pair with so many points is oriented.
@@ -78,13 +118,7 @@ fn is_determined(found: &RelativeOrientation) -> bool {
     found.cameras.is_some_and(|cameras| cameras.iter().all(is_known))
 }
 
-/// Half the widths of the intervals of the worst angle and of the direction of the base; no number where there are none.
-fn half_widths_deg(found: &RelativeOrientation) -> [f64; 2] {
-    let Some(half) = found.half_widths_95 else { return [f64::NAN; 2] };
-    [half.omega_deg.max(half.phi_deg).max(half.kappa_deg), base_half_width_deg(found)]
-}
-
-/// Half the width of the interval of the direction of the base.
+/// Half the width of the interval of the direction of the base; no number where there is none.
 pub(super) fn base_half_width_deg(found: &RelativeOrientation) -> f64 {
     let across = found.half_widths_95.map_or(f64::NAN, |half| libm::hypot(half.by_mm, half.bz_mm));
     libm::atan2(across, found.base_mm.abs()).to_degrees()

@@ -35,7 +35,7 @@ pub(super) struct Sight {
 }
 
 /// The limit follows the residuals down, to no less than this, in px.
-const LEAST_LIMIT_PX: f64 = 1.0;
+pub(super) const LEAST_LIMIT_PX: f64 = 1.0;
 /// A ray fits within so many standard errors of a coordinate.
 const LIMIT_SIGMAS: f64 = 5.0;
 

@@ -168,7 +168,7 @@ messages! {
         FewObservations { images: Vec<String>, least: usize },
         /// Most points have two rays.
         TwoRays { two: usize, points: usize },
-        /// Many observations do not fit.
+        /// Many observations are gross errors.
         ManyRejected { rejected: usize, observations: usize },
     }
 }

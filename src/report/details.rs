@@ -159,7 +159,7 @@ pub fn precision(texts: &Texts, report: &Report, orientation: &RelativeOrientati
             dt { (texts.say("report-sigma-of-coordinate")) } dd { (texts.with("report-sigma-value", sigma0)) }
             dt { (texts.say("report-degrees-of-freedom")) } dd { (count(orientation.degrees_of_freedom)) }
             dt { (texts.say("report-matches-used")) }
-            dd { (texts.with("report-of", [("part", count(study.used())), ("all", count(study.result.matching.matches.len()))])) }
+            dd { (texts.with("report-of", [("part", count(study.used().unwrap_or(0))), ("all", count(study.result.matching.matches.len()))])) }
             @if let Some(ellipse) = &orientation.base_ellipse_95_mm {
                 @let axes = format!("{} × {}", significant(ellipse.semi_major), significant(ellipse.semi_minor));
                 dt { (texts.say("report-base-together")) } dd { (texts.with("report-ellipse-of", [("axes", axes)])) }
@@ -178,7 +178,7 @@ pub fn precision(texts: &Texts, report: &Report, orientation: &RelativeOrientati
         p.note { (texts.say("report-sigma-from-parallaxes")) }
         div.pair {
             (correlations(&UNKNOWNS.map(|(symbol, _)| symbol), &orientation.correlations, &texts.say("report-correlations")))
-            @if let Some(ellipse) = &orientation.base_ellipse_mm { (figures::ellipse(texts, ellipse, base_errors)) }
+            @if let Some(ellipse) = &orientation.base_ellipse_mm { (figures::ellipse(texts, ellipse, orientation.base_ellipse_95_mm.as_ref(), base_errors)) }
         }
     }
 }

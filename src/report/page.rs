@@ -77,8 +77,9 @@ impl Report {
                     li { (texts.with("report-edits-of-pair", [("rejected", count(edits.rejected)), ("measured", count(edits.measured))])) }
                 }
                 li { strong { (typeset(&said(texts, &run.result.verdict()))) } }
+                @if let Some(hint) = &self.hint { li { (typeset(&said(texts, hint))) } }
                 @if let Ok(o) = &run.result.orientation {
-                    @let figures = [("used", count(run.used())), ("sigma0", fixed(run.sigma0_px(), 3)), ("rejected", count(o.rejected.len()))];
+                    @let figures = [("used", count(run.used().unwrap_or(0))), ("sigma0", fixed(run.sigma0_px(), 3)), ("rejected", count(o.rejected.len()))];
                     li { (texts.with("report-took-part", figures)) }
                 }
                 @if let Some(score) = &run.score {

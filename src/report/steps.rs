@@ -4,7 +4,7 @@ use super::input::{ReportEdits, ReportImage, ReportTruth};
 use super::step::ReportStep;
 use super::study::{Study, plan, study};
 use super::thinned::{MOST, Thinned};
-use crate::{Error, PairInput, PairSettings};
+use crate::{Error, PairHint, PairInput, PairSettings, PairVerdict, PhotoDifference};
 
 /// A report in the making: each step matches the pair in one way.
 #[derive(Debug, Clone)]
@@ -16,6 +16,8 @@ pub struct Report {
     pub(super) edits: Option<ReportEdits>,
     pub(super) plan: Vec<(ReportStep, PairSettings)>,
     pub(super) studies: Vec<Study>,
+    /// What else would do for this run.
+    pub(super) hint: Option<PairHint>,
     /// Points of an image on which strategies are compared.
     pub(super) most_compared: usize,
     /// What these are where the operator finds more.
@@ -26,7 +28,7 @@ impl Report {
     /// A report of a pair; nothing is computed yet.
     pub fn new(images: [ReportImage; 2], input: PairInput, settings: PairSettings, truth: Option<ReportTruth>) -> Self {
         let plan = plan(&settings);
-        Self { images, input, settings, truth, edits: None, plan, studies: Vec::new(), most_compared: MOST, thinned: None }
+        Self { images, input, settings, truth, edits: None, plan, studies: Vec::new(), hint: None, most_compared: MOST, thinned: None }
     }
 
     /// The same of matches that were edited by hand: this run is made of them; the other strategies match by themselves.
@@ -61,8 +63,24 @@ impl Report {
                 study(*step, settings, images, &self.input, (self.truth.as_ref(), edits))?
             }
         };
+        if self.studies.is_empty() {
+            self.hint = self.hint_for(&study)?;
+        }
         self.studies.push(study);
         Ok(true)
+    }
+
+    /// The verdict on this run; `None` before the first step.
+    pub fn verdict(&self) -> Option<PairVerdict> {
+        self.studies.first().map(|study| study.result.verdict())
+    }
+
+    /// What else would do for this run.
+    fn hint_for(&self, run: &Study) -> Result<Option<PairHint>, Error> {
+        let Some(hint) = PairHint::of(&run.result.verdict(), &run.settings) else { return Ok(None) };
+        let [left, right] = self.images.each_ref().map(|image| image.grey.view());
+        let difference = PhotoDifference::between(left, right)?;
+        Ok(Some(difference.map_or(hint, |difference| hint.with(&difference, run.result.offset.as_ref(), &run.settings))))
     }
 
     /// Has the strategies compared on no more points than end in time.

@@ -84,10 +84,13 @@ fn with_edits(found: PairResult, edits: &ReportEdits, settings: &PairSettings) -
     result.matching.matches.clone_from(&edits.matches);
     result.matching.counts.matches = edits.matches.len();
     let interior = match (&result.orientation, &result.interior) {
-        (Ok(_) | Err(NoOrientation::Refused { .. }), Some(interior)) => interior,
+        (Ok(_) | Err(NoOrientation::Refused { .. } | NoOrientation::TooFewMatches { .. }), Some(interior)) => interior,
         _ => return Ok(result),
     };
     let points = [result.left.points.len(), result.right.points.len()];
+    if let Some(few) = NoOrientation::of_few(edits.matches.len()) {
+        return Ok(PairResult { orientation: Err(few), ..result });
+    }
     let orientation = match orient_matches(&edits.matches, interior, &settings.resolved().orientation) {
         Err(error) if error.is_usage() => return Err(error),
         Ok(oriented) => Ok(judged(oriented, &edits.matches, interior, Some(points))),
@@ -118,17 +121,17 @@ impl Study {
         digits_of_error(errors.map(|errors| five(&errors)[unknown]), PRINTED_DIGITS)
     }
 
-    /// Matches that the adjustment used.
-    pub fn used(&self) -> usize {
-        let rejected = self.result.orientation.as_ref().map_or(0, |o| o.rejected.len());
-        self.result.matching.matches.len() - rejected
+    /// Matches that the adjustment used; `None` where there was none.
+    pub fn used(&self) -> Option<usize> {
+        let rejected = self.result.orientation.as_ref().ok()?.rejected.len();
+        Some(self.result.matching.matches.len() - rejected)
     }
 
     /// The standard errors that a result of the paper's σ₀ and number of matches would have in this geometry: the cofactors depend on where
     /// the points lie, the standard errors on σ₀ and, by its root, on how many there are.
     pub fn standard_errors_at(&self, sigma0_mm: f64, matches: usize) -> Option<[f64; 5]> {
         let orientation = self.result.orientation.as_ref().ok()?;
-        let scale = sigma0_mm * (self.used() as f64 / matches as f64).sqrt();
+        let scale = sigma0_mm * (self.used()? as f64 / matches as f64).sqrt();
         Some(std::array::from_fn(|k| {
             let error = scale * orientation.cofactors[k][k].max(0.0).sqrt();
             if k < 3 { error.to_degrees() } else { error }

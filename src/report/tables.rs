@@ -68,7 +68,7 @@ pub fn refusals(texts: &Texts, report: &Report) -> Markup {
                 }
                 tr {
                     th { (texts.say("report-matched-gross-errors")) }
-                    @for study in &report.studies { td { (count(study.result.matching.matches.len() - study.used())) } }
+                    @for study in &report.studies { td { (study.used().map_or_else(|| "–".into(), |used| count(study.result.matching.matches.len() - used))) } }
                 }
             }
         }
@@ -132,7 +132,7 @@ pub fn standard_errors(texts: &Texts, report: &Report) -> Markup {
                     @for study in &report.studies { td { (fixed(study.sigma0_of_all_px(), 3)) } }
                     td.paper {}
                 }
-                tr { th { (texts.say("report-used")) } @for study in &report.studies { td { (count(study.used())) } } td.paper { (count(PAPER.points[2][0])) } }
+                tr { th { (texts.say("report-used")) } @for study in &report.studies { td { (used(texts, study)) } } td.paper { (count(PAPER.points[2][0])) } }
             }
             @if with_interior {
                 tbody {
@@ -147,6 +147,11 @@ pub fn standard_errors(texts: &Texts, report: &Report) -> Markup {
         }
         p.note { (texts.say("report-sigma-of-all-is")) }
     }
+}
+
+/// How many matches an orientation used; what the strategy came to, where there is none.
+fn used(texts: &Texts, study: &Study) -> String {
+    study.used().map_or_else(|| texts.label(&study.result.verdict()), count)
 }
 
 /// Table 3: the orientation by each strategy, with the truth where it is known.

@@ -1,7 +1,9 @@
 //! What the module says of itself: version, defaults, parameters.
 
 use super::convert::{JsResult, pack, read, read_options};
-use crate::{CALL_PARAMETERS, Group, PairHint, PairPreset, PairSettings, PairVerdict, Parameter, PartlyGiven, acting};
+use crate::{
+    CALL_PARAMETERS, Group, OffsetField, PairHint, PairPreset, PairSettings, PairVerdict, Parameter, PartlyGiven, PhotoDifference, acting,
+};
 use serde::Serialize;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -121,14 +123,21 @@ pub fn pack_parameters(all: impl IntoIterator<Item = (String, Parameter)>) -> Js
     pack(&all.into_iter().map(|(path, parameter)| Placed { path, parameter }).collect::<Vec<_>>())
 }
 
-/// What else would do for a pair of this verdict and these settings; null where nothing is known to.
+/// What else would do for a pair of this verdict and these settings; null where nothing is known to. With how the photos lie to each other
+/// (`photo_difference`), and the offset by which matches were looked for, it says which of that the strategy does not take.
 #[wasm_bindgen(unchecked_return_type = "PairHint | null")]
 pub fn pair_hint(
     #[wasm_bindgen(unchecked_param_type = "PairVerdict")] verdict: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "PhotoDifference | null")] difference: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "OffsetField | null")] offset: &JsValue,
 ) -> JsResult<JsValue> {
     let (verdict, settings) = (read::<PairVerdict>("verdict", verdict)?, read_options::<PairSettings>("settings", settings)?);
-    Ok(pack(&PairHint::of(&verdict, &settings)))
+    let given = |value: &JsValue| !value.is_null() && !value.is_undefined();
+    let difference: Option<PhotoDifference> = given(difference).then(|| read("difference", difference)).transpose()?;
+    let offset: Option<OffsetField> = given(offset).then(|| read("offset", offset)).transpose()?;
+    let hint = PairHint::of(&verdict, &settings);
+    Ok(pack(&hint.map(|hint| difference.map_or(hint, |difference| hint.with(&difference, offset.as_ref(), &settings)))))
 }
 
 /// The keys of the options of a pair that have an effect with these settings.

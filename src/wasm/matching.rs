@@ -8,8 +8,8 @@ use super::orientation::pack_oriented;
 use super::photo::{Photo, pack_points, read_mask};
 use crate::{
     DescribedImage, Descriptor, Error, Expectation, Fit, GreyImage, InterestPoint, LocalFrame, Match, MatchOptions, MatchSet, NoGeometry,
-    OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PointCounts, PointSet, Reduced, Rule, Side, TwoView,
-    TwoViewModel, Verdict, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced,
+    OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PhotoDifference, PointCounts, PointSet, Reduced, Rule,
+    Side, TwoView, TwoViewModel, Verdict, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced,
     gradient_candidates as nearest_by_gradients, match_described_pair as match_described, match_in_rounds, match_pair as match_images,
     match_points as match_by_moments, parallax_deviation as deviation,
 };
@@ -225,6 +225,13 @@ pub fn match_pair(
     let (input, settings) = (read_options::<PairInput>("input", input)?, read_options::<PairSettings>("settings", settings)?);
     let (left, right) = (left.pair_image(&left_mask)?, right.pair_image(&right_mask)?);
     match_images(left, right, &input, &settings).map(|result| pack_pair(&result)).map_err(thrown)
+}
+
+/// How the right photo lies to the left one in their planes; null where they do not match, however they lie.
+#[wasm_bindgen(unchecked_return_type = "PhotoDifference | null")]
+pub fn photo_difference(left: &Photo, right: &Photo) -> JsResult<JsValue> {
+    let (left, right) = (left.pair_image(&None)?, right.pair_image(&None)?);
+    PhotoDifference::between(left.grey, right.grey).map(|found| pack(&found)).map_err(thrown)
 }
 
 /// Matches and orients two photos whose points are described: the rest of `match_pair`. For the strategy gradient the nearest descriptors may

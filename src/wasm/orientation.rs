@@ -2,10 +2,10 @@
 
 use super::convert::{JsResult, Number, Numbers, numbers, object, pack, read, read_options, rows, set, thrown, whole};
 use crate::{
-    CameraMm, Error, ExifCamera, Fiducial, FiducialModel, Fit, Interior, KnownPhoto, Match, ModelPoint, Observation, OneImage,
-    OrientationOptions, PairCameras, PairInterior, PairVerdict, PhotoInput, PointStatistics, RelativeOrientation, TwoView, judged,
-    model_points as points_of, observations as photo_observations, orient_fiducials as orient_marks, orient_matches as orient_by_matches,
-    orient_relative as orient_pair, photo_interior,
+    CameraMm, Error, ExifCamera, Fiducial, FiducialModel, Fit, Interior, KnownPhoto, Match, ModelPoint, NoOrientation, Observation,
+    OneImage, OrientationOptions, PairCameras, PairInterior, PairVerdict, PhotoInput, PointStatistics, RelativeOrientation, TwoView,
+    judged, judged_observations, model_points as points_of, observations as photo_observations, orient_fiducials as orient_marks,
+    orient_matches as orient_by_matches, orient_relative as orient_pair, photo_interior,
 };
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::JsValue;
@@ -115,6 +115,12 @@ pub fn one_image(
     Ok(pack(&OneImage::of(&positions, sizes).map(OneImage::reason)))
 }
 
+/// Why so few matches have no orientation, whatever else is missing; null where they are enough.
+#[wasm_bindgen(unchecked_return_type = "NoOrientation | null")]
+pub fn few_matches(matches: &Number) -> JsResult<JsValue> {
+    Ok(pack(&NoOrientation::of_few(whole("matches", matches)?)))
+}
+
 /// The positions of matches (stride 5).
 fn positions_of(matches: &Numbers) -> JsResult<Vec<[f64; 4]>> {
     Ok(rows::<5>("matches", &matches.read("matches")?)?.iter().map(|[xl, yl, xr, yr, _]| [*xl, *yl, *xr, *yr]).collect())
@@ -188,8 +194,8 @@ pub fn orient_matches(
     Ok(pack_oriented(&orientation, &pack(&PairVerdict::of(&orientation, interior.left.pixel_mm()))))
 }
 
-/// Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1.
-#[wasm_bindgen(unchecked_return_type = "RelativeOrientation")]
+/// Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1, with the verdict on it.
+#[wasm_bindgen(unchecked_return_type = "OrientedPair")]
 pub fn orient_relative(
     observations: &Numbers,
     focal_mm: &Number,
@@ -197,7 +203,10 @@ pub fn orient_relative(
     weights: Option<Numbers>,
 ) -> JsResult<JsValue> {
     let options: OrientationOptions = read_options("orientation", options)?;
-    orient_pair(&weighted(observations, weights)?, focal_mm.read("focal_mm")?, &options).map(|o| pack_orientation(&o)).map_err(thrown)
+    let observations = weighted(observations, weights)?;
+    let found = orient_pair(&observations, focal_mm.read("focal_mm")?, &options).map_err(thrown)?;
+    let orientation = judged_observations(found, &observations);
+    Ok(pack_oriented(&orientation, &pack(&PairVerdict::of_observations(&orientation))))
 }
 
 /// Object points of observations (stride 4) that are oriented as `orient_relative` does: X, Y, Z, their standard errors (NaN where there are

@@ -1,6 +1,6 @@
 //! The orthomosaic of a block, whose file is written as its images come.
 
-use super::convert::{Bytes, JsResult, Number, ProjectFile, object, pack, thrown, whole, wrong_project};
+use super::convert::{Bytes, JsResult, Number, ProjectFile, TextList, object, pack, thrown, whole, wrong_project};
 use super::heights::read_heights;
 use crate::{DecodeLimits, FileFault, Heights, Mosaic, Project, decode_bands, read_project, write_heights};
 use js_sys::Uint8Array;
@@ -50,21 +50,23 @@ impl io::Seek for Outbox {
 impl OrthoMosaic {
     /// Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
     /// pixel; absent: that of the images. In the coordinate reference system of the block, where it has one; `in_adjustment`: in the system of its
-    /// adjustment, as the map of the page is.
+    /// adjustment, as the map of the page is. `images`: the names of those that it is made of; absent: all.
     pub fn open(
         project: &ProjectFile,
-        #[wasm_bindgen(unchecked_param_type = "number | Uint8Array | null")] heights: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "number | Uint8Array | FileInParts | null")] heights: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Given<Sidecars> | null | undefined")] heights_sidecars: &JsValue,
         gsd: Option<Number>,
         in_adjustment: Option<bool>,
+        images: Option<TextList>,
     ) -> JsResult<OrthoMosaic> {
         let Project::Block(run) = read_project(&project.read("file of the project")?).map_err(thrown)? else {
             return Err(thrown(wrong_project(FileFault::HoldsPair)));
         };
         let given = || read_heights(heights, heights_sidecars);
         let heights = (!heights.is_null()).then(given).transpose()?;
-        let lay_out = if in_adjustment.unwrap_or(false) { Mosaic::in_adjustment } else { Mosaic::of_block };
-        let mosaic = lay_out(&run, heights, gsd.map(|gsd| gsd.read("gsd")).transpose()?).map_err(thrown)?;
+        let lay_out = if in_adjustment.unwrap_or(false) { Mosaic::in_adjustment } else { Mosaic::of_images };
+        let images = images.map_or(Ok(Vec::new()), |images| images.read("images"))?;
+        let mosaic = lay_out(&run, &images, heights, gsd.map(|gsd| gsd.read("gsd")).transpose()?).map_err(thrown)?;
         Ok(Self { mosaic, names: run.model.images.iter().map(|image| image.name.clone()).collect(), file: Outbox::default() })
     }
 
@@ -80,7 +82,7 @@ impl OrthoMosaic {
         self.names.clone()
     }
 
-    /// The indices of its oriented images in an order in which little waits in memory for images to come.
+    /// The indices of the oriented images that it is made of, in an order in which little waits in memory for images to come.
     pub fn order(&self) -> Vec<usize> {
         self.mosaic.order()
     }

@@ -124,7 +124,7 @@ impl OrthophotoReference {
     /// The heights of its ground: one for all, or a file: a GeoTIFF or an ESRI ASCII grid, with what stands beside it, or the project of an oriented block.
     pub fn set_heights(
         &mut self,
-        #[wasm_bindgen(unchecked_param_type = "number | Uint8Array")] heights: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "number | Uint8Array | FileInParts")] heights: &JsValue,
         #[wasm_bindgen(unchecked_optional_param_type = "Given<Sidecars>")] sidecars: &JsValue,
     ) -> JsResult<()> {
         self.orthophoto.set_heights(read_heights(heights, sidecars)?).map_err(thrown)?;

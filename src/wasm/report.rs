@@ -75,6 +75,12 @@ impl Report {
         self.core.step().map_err(thrown)
     }
 
+    /// The verdict on this run; null before the first step.
+    #[wasm_bindgen(unchecked_return_type = "PairVerdict | null")]
+    pub fn verdict(&self) -> JsValue {
+        pack(&self.core.verdict())
+    }
+
     /// The page, which holds everything it shows; in English, or in the language of a tag. Does the steps that are left.
     pub fn html(&mut self, #[wasm_bindgen(unchecked_optional_param_type = "string | null")] language: Option<Text>) -> JsResult<String> {
         self.core.html(texts_of(language)?).map_err(thrown)

@@ -1,6 +1,6 @@
 //! Small files of text.
 
-use super::convert::{JsResult, Numbers, Text, pack, rows, thrown};
+use super::convert::{JsResult, Numbers, Text, pack, read, rows, thrown};
 use crate::{
     ModelPoint, matches_csv as write_matches, model_points_csv as write_model_points, parse_camera as read_camera,
     parse_fiducials as read_fiducials, parse_observations as read_observations, points_csv as write_points,
@@ -27,10 +27,14 @@ pub fn parse_camera(json: &Text) -> JsResult<JsValue> {
     read_camera(&json.read("json")?).map(|c| pack(&c)).map_err(thrown)
 }
 
-/// Writes matches (stride 5) as CSV.
+/// Writes matches (stride 5) as CSV, each with its state: used or rejected by the orientation whose `rejected` is given, empty without.
 #[wasm_bindgen]
-pub fn matches_csv(matches: &Numbers) -> JsResult<String> {
-    Ok(write_matches(rows("matches", &matches.read("matches")?)?))
+pub fn matches_csv(
+    matches: &Numbers,
+    #[wasm_bindgen(unchecked_optional_param_type = "readonly number[] | null")] rejected: &JsValue,
+) -> JsResult<String> {
+    let rejected: Option<Vec<usize>> = if rejected.is_null() || rejected.is_undefined() { None } else { Some(read("rejected", rejected)?) };
+    Ok(write_matches(rows("matches", &matches.read("matches")?)?, rejected.as_deref()))
 }
 
 /// Writes points (stride 3) as CSV.

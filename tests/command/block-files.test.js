@@ -7,17 +7,16 @@ import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { FinishedBlock, sha256 } from '../../pkg/node.js';
 import { Written } from '../../pkg/command/written.js';
-import { begun, contents, killed, photographed, records } from './blocks.js';
+import { contents, killed, records, runOnce } from './blocks.js';
 import { file, folder, image, json, tiepoint } from './command.js';
 
-const BLOCK = photographed();
+const {
+  block: BLOCK,
+  whole: { out: WHOLE },
+  half,
+} = runOnce();
 const NAMES = readdirSync(BLOCK.photos).sort();
 const [WIDTH, HEIGHT] = [480, 360];
-
-const WHOLE = folder();
-json(...BLOCK.call, '--out', WHOLE);
-/** A folder with the images and pairs of a run. */
-const half = () => begun(WHOLE);
 
 /** A folder with a mask that leaves the left half of each of the first photos free.  @param {string[]} names of the masks */
 function masks(...names) {

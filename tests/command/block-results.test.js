@@ -5,14 +5,14 @@ import { copyFileSync, existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { FinishedBlock, grey_png, Photo, read_exif } from '../../pkg/node.js';
-import { begun, photographed } from './blocks.js';
+import { photographed, runOnce } from './blocks.js';
 import { file, folder, image, json, speckle, tiepoint } from './command.js';
 
-const BLOCK = photographed();
-const WHOLE = folder();
-const SUMMARY = json(...BLOCK.call, '--out', WHOLE);
-/** A folder with the images and pairs of a run: others of the same photos take them from there. */
-const half = () => begun(WHOLE);
+const {
+  block: BLOCK,
+  whole: { out: WHOLE, summary: SUMMARY },
+  half,
+} = runOnce();
 
 /** @param {string} out @param {string} name @returns {Record<string, string>[]} */
 function rows(out, name) {

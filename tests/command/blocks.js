@@ -15,6 +15,23 @@ export function photographed(...options) {
   return { photos, truthFile: truth, truth: JSON.parse(readFileSync(truth, 'utf8')), call: ['block', photos, '--features', '1200'] };
 }
 
+/** Pairs of these photos. */
+export const PAIRS = 15;
+
+/**
+ * A block that was run from the beginning, with these options. `half`: a folder with what another run finds of it, images and pairs, but nothing that follows
+ * from them; `ran`: such a run.
+ * @param {string[]} options
+ */
+export function runOnce(...options) {
+  const block = photographed();
+  /** @param {string} out @param {string[]} own */
+  const run = (out, ...own) => ({ out, summary: json(...block.call, '--out', out, '--workers', '2', ...own) });
+  const whole = run(folder(), ...options);
+  const half = () => begun(whole.out);
+  return { block, whole, half, ran: (/** @type {string[]} */ ...own) => run(half(), ...own) };
+}
+
 /**
  * Where the photos of a truth show places in space, as rows of image, point, x, y: photos face any place, whether it is on the ground or not.
  * @param {{ images: any[], cameras: any[] }} truth @param {readonly { name: string, at: readonly number[] }[]} points
@@ -64,7 +81,7 @@ export function killed(args, until) {
 }
 
 /** A folder that holds what a run has kept of its images and pairs: another run of the block computes them no more.  @param {string} out of that run */
-export function begun(out) {
+function begun(out) {
   const at = folder();
   for (const part of ['features', 'pairs']) cpSync(join(out, 'work', part), join(at, 'work', part), { recursive: true });
   return at;

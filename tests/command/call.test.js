@@ -131,6 +131,16 @@ test('bad data exits with 1 and names the file', () => {
     image(at, 'pixel.png', 1, 1, () => 7),
   );
   refuses(1, /camera\.json: /, 'match', picture, picture, '--camera', file(at, 'camera.json', '{"focal_mm": "long"}'));
+  const ofBlock = file(at, 'cameras.json', '{"cameras": [{"images": "a*", "focal_px": 1500}, {"focal_px": 900}]}');
+  refuses(
+    1,
+    /cameras\.json: the camera of a pair: got 2 cameras of a block, by the names of their images; allowed: one camera/,
+    'match',
+    picture,
+    picture,
+    '--camera',
+    ofBlock,
+  );
   refuses(1, /camera2\.json: .*focal_length/, 'match', picture, picture, '--camera', file(at, 'camera2.json', '{"focal_mm": 153, "focal_length": 1}'));
   refuses(1, /marks\.csv: /, 'interior', file(at, 'marks.csv', 'col,row,x_mm,y_mm\n1,2,3\n'));
   refuses(1, /few\.csv: /, 'interior', file(at, 'few.csv', 'col,row,x_mm,y_mm\n1,2,3,4\n'));

@@ -2,7 +2,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { Photo } from '../../pkg/node.js';
+import { describe } from '../../pkg/command/match.js';
+import { match_pair, Photo } from '../../pkg/node.js';
 import { file, folder, image, json, samplePair, speckle, tiepoint } from './command.js';
 
 const { at, call } = samplePair();
@@ -45,7 +46,14 @@ test('the same call prints the same bytes, and the files hold the same', () => {
   assert.equal(readFileSync(join(out, 'result.json'), 'utf8'), first.stdout);
   const lines = readFileSync(join(out, 'matches.csv'), 'utf8').trim().split('\n');
   assert.equal(lines.length, result.counts.matches + 1);
-  assert.deepEqual(lines[1]?.split(',').map(Number), result.matches[0]);
+  assert.deepEqual(lines[1]?.split(',').slice(0, 5).map(Number), result.matches[0]);
+  const states = lines.map((line) => line.split(',')[5]);
+  assert.equal(states.shift(), 'state');
+  assert.deepEqual(
+    states.flatMap((state, index) => (state === 'rejected' ? [index] : [])),
+    result.orientation.rejected,
+  );
+  assert.ok(result.orientation.rejected.length > 0 && new Set(states).size === 2, 'all others are used');
   assert.equal(readFileSync(join(out, 'left-points.csv'), 'utf8').trim().split('\n').length, result.counts.left.after_suppression + 1);
 });
 
@@ -178,6 +186,48 @@ test('gradients tell the geometry of the two views, with a camera and without', 
   assert.equal(typeof none.no_geometry.text, 'string');
 });
 
+test('cameras whose focal length the matches gave are not called calibrated', () => {
+  const [left, right] = call.slice(1, 3).map((path) => Photo.decode(readFileSync(path)));
+  assert.ok(left && right);
+  const output = match_pair(left, right, {}, {});
+  const { geometry } = output.match;
+  assert.ok(geometry);
+  const model = { ...geometry.model, kind: 'calibrated' };
+  const line = (/** @type {object | null} */ focal) => {
+    const told = /** @type {typeof output} */ ({ ...output, match: { ...output.match, geometry: { ...geometry, model, focal } } });
+    return describe(told, null, {}).find((text) => text.startsWith('geometry of the two views: '));
+  };
+  assert.match(line(null) ?? '', /: orientation of calibrated cameras, standard error/);
+  assert.match(line({ focal_px: 600, standard_error_px: 5 }) ?? '', /: cameras with the focal length estimated from the matches, standard error/);
+});
+
+test('photos that hardly match are told so, whether a camera is given or not', () => {
+  const [left = '', right = ''] = call.slice(1, 3);
+  for (const pair of [call, ['match', left, right]]) {
+    const { verdict } = json(...pair, '--strategy', 'moments', '--offset', '4000,0');
+    assert.deepEqual(verdict.no_orientation, { kind: 'too_few_matches', matches: 0, needed: 5 });
+    assert.match(verdict.text, /^Not oriented: no match was found, and an orientation takes at least 5/);
+  }
+});
+
+test('where windows do not match it is told what the photos differ by, in words and figures', () => {
+  const right = Photo.decode(readFileSync(call[2] ?? ''));
+  const [width, height, grey] = [right.width, right.height, right.grey()];
+  const back = image(at, 'upside-down.png', width, height, (col, row) => grey[(height - 1 - row) * width + width - 1 - col] ?? 0);
+  const turned = json('match', call[1] ?? '', back, '--strategy', 'moments', '--focal-px', '600');
+  assert.notEqual(turned.verdict.kind, 'oriented');
+  assert.equal(turned.hint.kind, 'turned');
+  assert.ok(Math.abs(Math.abs(turned.hint.turn_deg) - 180) < 1 && Math.abs(turned.hint.scale - 1) < 0.05, JSON.stringify(turned.hint));
+  assert.match(turned.hint.text, /turned in its plane by -?1(79|80)°.*Use the strategy “auto”/);
+  const found = json(...call, '--strategy', 'moments').offset_px;
+  const displaced = json(...call, '--strategy', 'moments', '--offset', '4000,0');
+  assert.deepEqual([displaced.hint.kind, displaced.hint.expected_dx_px, displaced.hint.most_px], ['displaced', 4000, 12.5]);
+  assert.ok(Math.hypot(displaced.hint.dx_px - found[0], displaced.hint.dy_px - found[1]) < 10, JSON.stringify([displaced.hint, found]));
+  const told = tiepoint(...call, '--strategy', 'moments', '--offset', '4000,0').stdout;
+  assert.ok(told.includes(`\nhint: ${displaced.hint.text}\n`), told);
+  assert.equal(result.hint, null);
+});
+
 test('the outcome of gradients is the same for any number of workers, oriented or not', () => {
   const [left = '', right = ''] = call.slice(1, 3);
   const flat = image(folder(), 'flat.png', 80, 60, () => 50);
@@ -223,7 +273,8 @@ test('what lies at the same place of both frames is left out, and kept where tha
 
 test('a report shows what its masks leave out', () => {
   const half = image(at, 'half-report.png', 450, 700, (col) => (col < 225 ? 0 : 255));
-  const { file: page } = json('report', ...call.slice(1), '--mask-left', half, '--fraction', '0.02', '--out', join(at, 'report'));
+  const { file: page, verdict } = json('report', ...call.slice(1), '--mask-left', half, '--fraction', '0.02', '--out', join(at, 'report'));
+  assert.deepEqual(verdict, json(...call, '--mask-left', half).verdict);
   const html = readFileSync(page, 'utf8');
   assert.match(html, /A mask leaves out 50\.0 % of the left image\./);
   assert.equal(html.match(/class="left-out"/g)?.length, 1);

@@ -125,23 +125,57 @@ test('gross errors are rejected by their indices; plain least squares keeps them
   );
   assert.ok(Math.abs(robust.kappa_deg - TRUTH.kappa_deg) < 0.02);
   const plain = tiepoint('orient', path, ...CALL, '--no-robust', '--json');
-  if (plain.code === 0) assert.deepEqual(JSON.parse(plain.stdout).rejected, []);
-  else assert.match(plain.stderr, /^tiepoint: [^\n]+\n$/);
+  assert.ok([0, 3, 4].includes(plain.code ?? 1), plain.stderr);
+  assert.deepEqual(JSON.parse(plain.stdout).rejected ?? [], []);
 });
 
-test('too few observations and points on a line are refused with the reason', () => {
+test('too few observations and points on a line are not oriented, with the reason', () => {
   const few = tiepoint('orient', file(at, 'few.csv', observations(4)), ...CALL);
-  assert.equal(few.code, 1);
-  assert.match(few.stderr, /4 given; at least 5/);
+  assert.deepEqual([few.code, few.stderr], [4, '']);
+  assert.match(few.stdout, /^Not oriented: .*4 given; at least 5/);
+  const { verdict, ...rest } = json('orient', file(at, 'few.csv', observations(4)), ...CALL);
+  assert.deepEqual([verdict.kind, verdict.no_orientation.error.got, rest], ['not_oriented', 4, {}]);
   const line = ['x_left_mm,y_left_mm,x_right_mm,y_right_mm', ...Array.from({ length: 20 }, (_, i) => `${i},0,${i - BASE},0`)].join('\n');
   const degenerate = tiepoint('orient', file(at, 'line.csv', line), ...CALL);
-  assert.equal(degenerate.code, 1, degenerate.stdout);
-  assert.match(degenerate.stderr, /^tiepoint: [^\n]+\n$/);
+  assert.equal(degenerate.code, 4, degenerate.stderr);
+  assert.match(degenerate.stdout, /^Not oriented: [^\n]+\n$/);
 });
 
 test('what the crate refuses has the name of its option', () => {
   const { code, stderr } = tiepoint('orient', file(at, 'small.csv', observations(20)), '--focal-mm', '0.00001', '--base-mm', '92');
   assert.deepEqual([code, stderr], [2, 'tiepoint: --focal-mm is 0.00001; allowed: 0.001 to 100000\n']);
+});
+
+test('the verdict stands first, in the JSON and as the exit code', () => {
+  const noisy = (/** @type {number} */ count) =>
+    file(
+      at,
+      `noisy-${count}.csv`,
+      observations(count, (i) => (speckle(i, 9) / 255 - 0.5) * 0.02),
+    );
+  const { code, stdout } = tiepoint('orient', noisy(40), ...CALL);
+  assert.match(stdout, /^Oriented from 40 points, σ0 \d+(\.\d+)? µm; the right photo is turned in its plane \(κ\) by 1\.\d+°/);
+  const { verdict } = json('orient', noisy(40), ...CALL);
+  assert.deepEqual([code, verdict.kind, verdict.sigma0_px], [0, 'oriented', null]);
+  assert.ok(stdout.startsWith(`${verdict.text}\n`));
+  const weak = json('orient', noisy(6), ...CALL, '--no-robust');
+  assert.equal(weak.verdict.kind, 'weak');
+  assert.ok(weak.warnings.some((/** @type {{ kind: string }} */ { kind }) => kind === 'unchecked'));
+  assert.equal(tiepoint('orient', noisy(6), ...CALL, '--no-robust').code, 3);
+});
+
+test('a base of an absurd length is doubted, one at photo scale and a minus are not', () => {
+  const from = file(at, 'exact.csv', observations(40));
+  const doubt = (/** @type {string} */ base) =>
+    json('orient', from, '--focal-mm', String(FOCAL), '--base-mm', base).warnings.filter(
+      (/** @type {{ kind: string }} */ { kind }) => kind === 'doubtful_base',
+    );
+  assert.deepEqual([doubt(String(BASE)), doubt('-92'), doubt('9.2')], [[], [], []]);
+  const [found] = doubt('100000');
+  assert.ok(Math.abs(found.times / (100000 / BASE) - 1) < 0.1, JSON.stringify(found));
+  assert.match(found.text, /^The given base of 100000 mm is 1\d00 times as long as that at photo scale/);
+  const [positive, negative] = ['92', '-92'].map((base) => json('orient', from, '--focal-mm', String(FOCAL), '--base-mm', base));
+  assert.deepEqual(negative, positive);
 });
 
 test('the table shows values with their standard errors', () => {
@@ -173,4 +207,30 @@ test('object points are written with their standard errors', () => {
   }
   assert.equal(tiepoint('orient', from, ...CALL, '--base-length', '500').code, 2);
   assert.equal(tiepoint('orient', from, ...CALL, '--points', join(folder(), 'p.csv'), '--base-length', '0').code, 2);
+});
+
+test('observations of which most are grossly wrong are weak by their σ0, not by the base that it hides', () => {
+  let weak = 0;
+  for (let set = 0; set < 4; set++) {
+    const from = file(
+      at,
+      'wild.csv',
+      observations(20, (i) => (i < 12 ? 6 * (speckle(i, 20 + set) / 255 - 0.5) : 0.01 * (speckle(i, 7) / 255 - 0.5))),
+    );
+    const { code, stdout } = tiepoint('orient', from, ...CALL, '--json');
+    const { verdict, sigma0_mm: sigma0 } = JSON.parse(stdout);
+    if (!(sigma0 > FOCAL / 300)) continue;
+    weak += 1;
+    assert.deepEqual([code, verdict.kind, verdict.warning.kind], [3, 'weak', 'coarse']);
+    assert.match(verdict.text, /σ0 is \d+ µm, where measuring reaches 510 µm at this focal length/);
+  }
+  assert.ok(weak > 0, 'no set has a σ0 so large');
+});
+
+test('copies of observations do not count in the verdict', () => {
+  const once = observations(20, (i) => 0.01 * (speckle(i, 7) / 255 - 0.5));
+  const five = [once, ...Array.from({ length: 4 }, () => once.split('\n').slice(1).join('\n'))].join('\n');
+  const { verdict, points } = json('orient', file(at, 'copies.csv', five), ...CALL);
+  assert.deepEqual([verdict.kind, verdict.points, points.length], ['oriented', 20, 100]);
+  assert.match(verdict.text, /Oriented from 20 points/);
 });

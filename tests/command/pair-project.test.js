@@ -43,12 +43,13 @@ for (const [name, ...args] of [
           output,
           settings,
           project.images.map(({ camera }) => camera ?? null),
+          result.hint,
         ),
         ...(score ? { score } : {}),
       }),
     );
     assert.deepEqual(opened, result);
-    assert.ok(tiepoint(...args).stdout.startsWith(describe(output, settings, project.input).join('\n')));
+    assert.ok(tiepoint(...args).stdout.startsWith(describe(output, result.hint, project.input).join('\n')));
     assert.equal(write_pair_project(project), bytes.toString());
   });
 }

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { grey_png, OrthophotoReference, Photo, read_exif, system_coordinates } from '../../pkg/node.js';
@@ -48,11 +48,30 @@ test('photos are placed on the orthophoto of their scene, and their pictures lie
   assert.deepEqual(JSON.parse(readFileSync(join(out, 'result.json'), 'utf8')), result);
 });
 
+test('what check links say of each image, and the standard errors of its angles, are printed', () => {
+  const [photo = ''] = OWN.photos;
+  const [{ placement }] = json('place', photo, ...GROUND).images;
+  const { stdout } = tiepoint('place', photo, ...GROUND);
+  const { number, beyond, rmse_px, rmse_m } = placement.checks;
+  const [, links, px, m, without = '0'] =
+    /^photo_00000\.png: checked by (\d+) links: RMSE ([\d.]+) px = ([\d.]+) m on the ground(?:, without (\d+) gross errors?)?$/mu.exec(stdout) ?? [];
+  assert.deepEqual([links, px, m, without], [String(number), rmse_px.toFixed(2), rmse_m.toFixed(3), String(beyond)], stdout);
+  const row = stdout.split('\n').at(-2) ?? '';
+  const figures = [...row.matchAll(/(-?[\d.]+) ± ([\d.]+)/gu)].map(([, value, error]) => [Number(value), Number(error)]);
+  const expected = placement.angles_deg.map((/** @type {number} */ value, /** @type {number} */ k) => [
+    Number(value.toFixed(3)),
+    Number(placement.angle_errors_deg[k].toFixed(4)),
+  ]);
+  assert.equal(figures.length, 6, row);
+  assert.deepEqual(figures.slice(3), expected);
+});
+
 test('without check links images are placed, and the call says that nothing checks them', () => {
   const [photo = ''] = OWN.photos;
   const { code, stdout, stderr } = tiepoint('place', photo, ...GROUND, '--check-share', '0');
   assert.equal(code, 0, stderr);
   assert.match(stdout, /Placed by \d+ points/);
+  assert.doesNotMatch(stdout, /checked by/);
   assert.match(stderr, /no link checks the result/);
 });
 
@@ -201,6 +220,19 @@ test('a block becomes an orthomosaic, on which its photos are placed again', () 
   const shown = Array.from({ length: width * height }, (_, k) => pixels.subarray(4 * k, 4 * k + 4)).filter(([, , , alpha]) => alpha === 255);
   const right = shown.filter(([red = 0, green = 0, blue = 0]) => Math.abs(red + green - 255) <= 2 && blue === 40);
   assert.ok(shown.length > 100_000 && right.length > 0.99 * shown.length, `${right.length} of ${shown.length}`);
+  // Of one image it is that image on the ground, whatever else the folder has.
+  const alone = join(block, 'alone.tif');
+  const chosen = tiepoint('mosaic', project, coloured, '--out', alone, '--images', 'photo_00001.png');
+  assert.equal(`${chosen.code} ${chosen.stderr}`, '0 ');
+  const rectified = OrthophotoReference.open(readFileSync(alone));
+  assert.ok(rectified.info().width < width || rectified.info().height < height, JSON.stringify(rectified.info()));
+  rectified.free();
+  rmSync(alone);
+  assert.match(
+    tiepoint('mosaic', project, coloured, '--out', alone, '--images', 'other.png').stderr,
+    /got other\.png; allowed: .*photo_00000\.png, photo_00001\.png/,
+  );
+  assert.match(tiepoint('mosaic', project, coloured, '--out', alone, '--images', ',').stderr, /--images names no image/);
   // One that cannot be added ends it: what was there stays, and what a killed run left goes.
   writeFileSync(join(coloured, names[0] ?? ''), 'P6\n2 1\n255\nabcdef');
   writeFileSync(join(block, '1.tiepoint-999999999.part'), 'left');
@@ -240,7 +272,8 @@ test('a photo that records no position is sought where a table has it, in degree
     [`image,easting,northing\nplain,${x},${y}\n`, '--crs', 'EPSG:25832'],
   ]) {
     const { images, remarks } = placed(table ?? '', ...args);
-    assert.deepEqual([images[0].verdict.kind, images[0].search.kind, remarks], ['placed', 'gnss', []], JSON.stringify(images[0].verdict));
+    // One level stands for hills, by which the place is uncertain.
+    assert.deepEqual([images[0].verdict.placing_weakness?.kind, images[0].search.kind, remarks], ['plan', 'gnss', []], JSON.stringify(images[0].verdict));
     // The error of the receiver, and of ground that is taken as level.
     assert.ok(images[0].search.plan_m < 25, `${images[0].search.plan_m} m from its position`);
   }
@@ -249,8 +282,8 @@ test('a photo that records no position is sought where a table has it, in degree
     remarks.map((/** @type {{ kind: string }} */ { kind }) => kind),
     ['unknown_position_columns', 'positions_of_other_images', 'orthophoto_elsewhere'],
   );
-  // Its place is doubted for that.
-  assert.deepEqual([images[0].search.kind, images[0].verdict.kind, images[0].verdict.placing_weakness?.kind], ['beyond_gnss', 'weak', 'gnss']);
+  // Its place is doubted for that, too.
+  assert.deepEqual([images[0].search.kind, images[0].verdict.kind], ['apart_from_gnss', 'weak']);
   for (const [text, args, told] of /** @type {[string, string[], RegExp][]} */ ([
     ['plain.png,50.1,8.2\n', [], /^1 .*table\.csv: .*longitude and latitude/],
     [`image,easting,northing\nplain,${longitude},${latitude}\n`, ['--crs', 'EPSG:25832'], /^1 .*table\.csv: .*degrees/],

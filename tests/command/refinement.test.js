@@ -9,10 +9,9 @@ import { contents, killed, photographed, records } from './blocks.js';
 import { folder, json, tiepoint } from './command.js';
 
 const BLOCK = photographed();
-const REFINED = [...BLOCK.call, '--refine', 'least-squares'];
 
 const WHOLE = folder();
-const SUMMARY = json(...REFINED, '--out', WHOLE, '--workers', '2', '--truth', BLOCK.truthFile);
+const SUMMARY = json(...BLOCK.call, '--out', WHOLE, '--workers', '2', '--truth', BLOCK.truthFile);
 
 /** @param {string} out */
 function rayTable(out) {
@@ -23,7 +22,7 @@ function rayTable(out) {
 
 test('rays that were refined meet nearer to each other than those that were not', () => {
   const plain = folder();
-  const before = json(...BLOCK.call, '--out', plain, '--truth', BLOCK.truthFile);
+  const before = json(...BLOCK.call, '--refine', 'none', '--out', plain, '--truth', BLOCK.truthFile);
   assert.equal(before.refinement, null);
   assert.ok(!existsSync(join(plain, 'work', 'windows')) || records(plain, 'windows') === 0);
   assert.ok(!readFileSync(join(plain, 'rays.csv'), 'utf8').includes('refined'));
@@ -58,21 +57,21 @@ test('each ray has its outcome, and those that were refined their precision', ()
 
 test('any number of workers gives the same bytes', () => {
   const out = folder();
-  json(...REFINED, '--out', out, '--workers', '1', '--truth', BLOCK.truthFile);
+  json(...BLOCK.call, '--out', out, '--workers', '1', '--truth', BLOCK.truthFile);
   assert.deepEqual(contents(out), contents(WHOLE));
 });
 
 test('killed while windows are kept or points refined, it goes on to the same bytes', async () => {
   const out = folder();
   for (const wanted of [1, 4, 6])
-    await killed([...REFINED, '--out', out, '--workers', '1', '--json', '--truth', BLOCK.truthFile], () => records(out, 'windows') >= wanted);
-  json(...REFINED, '--out', out, '--workers', '2', '--truth', BLOCK.truthFile);
+    await killed([...BLOCK.call, '--out', out, '--workers', '1', '--json', '--truth', BLOCK.truthFile], () => records(out, 'windows') >= wanted);
+  json(...BLOCK.call, '--out', out, '--workers', '2', '--truth', BLOCK.truthFile);
   assert.deepEqual(contents(out), contents(WHOLE));
 });
 
 test('windows that were kept are not cut again; damaged ones are', () => {
   const out = folder();
-  const call = [...REFINED, '--out', out, '--workers', '2', '--truth', BLOCK.truthFile];
+  const call = [...BLOCK.call, '--out', out, '--workers', '2', '--truth', BLOCK.truthFile];
   assert.match(tiepoint(...call).stderr, /images for windows of observations: 6 in/);
   const at = join(out, 'work', 'windows');
   const [one = '', other = ''] = readdirSync(at).map((name) => join(at, name));

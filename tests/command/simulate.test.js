@@ -137,9 +137,11 @@ test('the report of a flight is one file that holds everything', () => {
 test('a report says in a pipe how far it is', () => {
   const { at, match } = made();
   const call = ['report', ...match.slice(1), '--out', join(at, 'report')];
-  const lines = tiepoint(...call)
-    .stderr.trimEnd()
-    .split('\n');
+  const { code, stdout, stderr } = tiepoint(...call);
+  const matched = tiepoint(...match);
+  assert.equal(code, matched.code);
+  assert.equal(stdout.split('\n')[0], matched.stdout.split('\n')[0]);
+  const lines = stderr.trimEnd().split('\n');
   assert.equal(lines.length, 7);
   for (const step of ['this run', 'moments', 'gradients'])
     assert.ok(

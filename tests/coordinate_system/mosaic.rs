@@ -74,6 +74,27 @@ fn a_mosaic_has_known_ground_at_its_pixels_in_the_coordinate_reference_system() 
 }
 
 #[test]
+fn a_mosaic_of_one_image_is_that_image_on_the_ground_and_unknown_names_are_refused_with_those_there_are() {
+    let run = true_block();
+    let names: Vec<String> = run.model.images.iter().map(|image| image.name.clone()).collect();
+    let (place, images) = shown(&flown().scene, &[0, 3, 6], &[[150.0, 120.0], [330.0, 240.0]]).remove(0);
+    let (image, at) = *images.iter().find(|(_, [x, y])| (40.0..440.0).contains(x) && (40.0..320.0).contains(y)).unwrap();
+    let [x, y, z] = in_utm(place);
+    let of = |names: &[String]| Mosaic::of_images(&run, names, Some(Heights::Level(z)), None).unwrap();
+    let (one, all) = (of(&names[image..=image]), of(&[]));
+    assert_eq!((one.order(), all.order().len()), (vec![image], names.len()));
+    assert!(one.size().iter().product::<usize>() * 2 < all.size().iter().product(), "{:?} of {:?}", one.size(), all.size());
+    let made = made(one, image, spotted(at));
+    let expected = made.georeference.pixel([x, y]);
+    let found = spot(&made, expected);
+    assert!((0..2).all(|k| (found[k] - expected[k]).abs() < 0.1), "{found:?}, expected {expected:?}");
+    let two = [names[1].clone(), names[0].clone()];
+    assert_eq!(of(&two).order().iter().copied().collect::<std::collections::BTreeSet<_>>(), [0, 1].into());
+    let told = Mosaic::of_images(&run, &["other.png".to_string()], None, None).err().unwrap().to_string();
+    assert!(told.contains("got other.png") && told.contains(&names[0]), "{told}");
+}
+
+#[test]
 fn a_mosaic_on_the_heights_of_tie_points_covers_what_the_block_shows_and_says_its_system() {
     let run = both();
     let mosaic = Mosaic::of_block(run, None, None).unwrap();

@@ -1,9 +1,9 @@
 //! Orthophotos that are read in parts: what they show is what a small one shows of the same pixels, whatever the file holds them in.
 
+use super::counted::Counted;
 use super::tiff_pictures::{Picture, directories};
 use super::tiff_writer::Tag;
 use std::fs::File;
-use std::io;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tiepoint::{
@@ -62,20 +62,6 @@ fn opened(file: Arc<dyn FileSource>) -> Orthophoto {
 fn whole() -> Orthophoto {
     let grey = GreyImage::from_fn(SIDE, SIDE, ground).unwrap();
     Orthophoto::new(grey, Georeference::read_world_file(WORLD).unwrap(), Heights::Level(0.0)).unwrap()
-}
-
-/// Counts what is read of a file.
-struct Counted(Vec<u8>, Arc<AtomicU64>);
-
-impl FileSource for Counted {
-    fn length(&self) -> u64 {
-        self.0.len() as u64
-    }
-
-    fn read_at(&self, at: u64, into: &mut [u8]) -> io::Result<()> {
-        self.1.fetch_add(into.len() as u64, Ordering::Relaxed);
-        self.0.read_at(at, into)
-    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Few observations, as textbooks have them, and what is said of a result that its observations contradict.
 
 use super::scene::{FOCAL_MM, NADIR, OBLIQUE, standard_errors};
-use tiepoint::{Observation, OrientationMethod, OrientationOptions, RelativeOrientation, Warning, orient_relative};
+use tiepoint::{Observation, OrientationMethod, OrientationOptions, PairVerdict, RelativeOrientation, Warning, orient_relative};
 
 const SIGMA_MM: f64 = 0.005;
 
@@ -55,7 +55,9 @@ fn identical_observations_count_once() {
     assert!((one.sigma0_mm.unwrap() / five.sigma0_mm.unwrap() - 1.0).abs() < 1e-6);
     assert_eq!((five.degrees_of_freedom, five.rejected.len(), five.points.len(), five.residuals_mm.len()), (15, 0, 100, 100));
     assert_eq!(five.points[3], five.points[23]);
-    assert_eq!(five.warnings, [Warning::Identical { copies: 80 }]);
+    assert_eq!(five.warnings, [Warning::Identical { copies: 80, rejected: 0 }]);
+    let PairVerdict::Oriented { points, .. } = PairVerdict::of_observations(&five) else { panic!("{five:?}") };
+    assert_eq!(points, 20);
 }
 
 #[test]

@@ -74,6 +74,39 @@ for (const [width, height] of /** @type {const} */ ([
   });
 }
 
+test('a match that is selected moves neither the answer nor the pictures at 1366 × 768 px', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ options: { viewport: { width: 1366, height: 768 } } });
+  await pair(page);
+  await part(page, 'tab-matches').click();
+  await page.evaluate(() => {
+    const seen = { sizes: /** @type {string[]} */ ([]), asked: 0 };
+    Object.assign(window, { seen });
+    const observer = new ResizeObserver((entries) => {
+      for (const { target, contentRect } of entries) seen.sizes.push(`${target.id}: ${contentRect.width} × ${contentRect.height}`);
+    });
+    for (const id of ['status', 'view']) observer.observe(/** @type {Element} */ (document.querySelector(`[data-testid="${id}"]`)));
+    const post = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (/** @type {any} */ message, /** @type {any} */ ...more) {
+      if (message.call === 'gradientCandidates') seen.asked += 1;
+      return post.call(this, message, ...more);
+    };
+  });
+  for (const [nth, looked] of /** @type {const} */ ([
+    [3, 1],
+    [5, 2],
+    [8, 3],
+  ])) {
+    await part(page, 'statistics-row').nth(nth).click();
+    await until(page, 'the point is looked up', () => page.evaluate((times) => /** @type {any} */ (window).seen.asked === times, looked));
+    await page.waitForTimeout(200);
+  }
+  // What is observed is told once to begin with.
+  const { sizes } = await page.evaluate(() => /** @type {any} */ (window).seen);
+  assert.equal(sizes.length, 2, sizes.join('; '));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('matches alone are drawn at first; one press shows the rejected points, and a press on one says why', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ fresh: true });
   await pair(page);

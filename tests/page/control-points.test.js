@@ -59,6 +59,35 @@ test('control and check points are no tie points, their differences have a heigh
   assert.equal(figure(/^[\d\u202f]+/u.exec((await part(page, 'block-points-count').textContent()) ?? '')?.[0]), figure(tied));
   assert.match((await part(page, 'block-surveyed-count').textContent()) ?? '', new RegExp(`^${surveyed}, \\d+ observations$`, 'u'));
 
+  // In their table control points have root mean squares of their own.
+  await part(page, 'tab-block-surveyed').click();
+  const sums = await page
+    .locator('[data-testid="block-surveyed"] tfoot tr')
+    .evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
+  assert.deepEqual(
+    sums.map((cells) => cells[1]),
+    ['control', 'check'],
+  );
+  const heads = await page.locator('[data-testid="block-surveyed"] thead tr:first-child th').allTextContents();
+  const differences = heads.flatMap((text, at) => (/^Δ[XYZ]\b(?! left)/u.test(text) ? [at] : []));
+  const rmsOf = (/** @type {number} */ line) => differences.map((at) => Math.abs(Number(/[\d.]+$/u.exec(sums[line]?.[at] ?? '')?.[0])));
+
+  // What the check point says of the block stands with its verdict: of one point each mean is as large as its root mean square.
+  const ofAxes = async (/** @type {string} */ id) =>
+    [...((await part(page, id).textContent()) ?? '').replaceAll('−', '-').matchAll(/-?\d+\.\d{3}/gu)].map(Number);
+  const [rmse, mean] = [await ofAxes('block-checks'), await ofAxes('block-checks-mean')];
+  assert.deepEqual(mean.map(Math.abs), rmse.slice(0, 3));
+  const [dx = NaN, dy = NaN, dz = NaN] = rmse;
+  assert.deepEqual(rmsOf(1), [dx, dy, dz]);
+  assert.ok(
+    rmsOf(0).every((value, axis) => value >= 0 && value !== rmse[axis]),
+    rmsOf(0).join(),
+  );
+  const judged = await says(page, 'block-figures', /check point/u);
+  const [, plan, height] = /([\d.]+) · ([\d.]+) m/u.exec(judged) ?? [];
+  assert.match(judged, /1 check point, RMSE in plan · in height/u);
+  assert.ok(Math.abs(Number(plan) - Math.hypot(dx, dy)) < 0.0015 && Number(height) === dz, `${judged}: ${rmse.join()}`);
+
   // In the table of all points they have their names.
   await part(page, 'tab-block-points').click();
   await says(page, 'block-points-caption', new RegExp(`^Points: ${figure(tied) + surveyed}$`, 'u'));

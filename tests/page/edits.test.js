@@ -314,7 +314,7 @@ test('a match is measured by mouse: the second point is expected on the epipolar
   const added = await lastMatch(page);
   assert.deepEqual(added.match, [...moved, -1]);
   assert.deepEqual([added.count, added.edits.measured_by_hand], [all + 1, [all]]);
-  assert.match((await csv(page)).trim().split('\n').at(-1) ?? '', /,-1(\.0)?$/);
+  assert.match((await csv(page)).trim().split('\n').at(-1) ?? '', /,-1(\.0)?,(used|rejected)$/);
   await part(page, 'tab-results').click();
   assert.equal(await number(page, 'count-manual'), 1);
   // What was measured is selected: its right point is moved, and Escape gives that up.

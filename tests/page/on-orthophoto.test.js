@@ -274,6 +274,16 @@ function groundPlaces(flight) {
   return [outermost(1, 1), outermost(-1, 1), outermost(1, -1)];
 }
 
+/** Waits until a picture has more than one colour.  @param {Page} page @param {string} id */
+const isPainted = (page, id) =>
+  page.waitForFunction((at) => {
+    const canvas = /** @type {HTMLCanvasElement | null} */ (document.querySelector(`[data-testid="${at}"] canvas`));
+    if (canvas === null || !canvas.checkVisibility()) return false;
+    const { width, height } = canvas;
+    const seen = canvas.getContext('2d')?.getImageData(width >> 2, height >> 2, width >> 2, height >> 2).data ?? [];
+    return new Set(seen.filter((_, i) => i % 4 === 0)).size > 3;
+  }, id);
+
 /** Measures a place by the mouse: on the orthophoto, then in two images.  @param {Page} page @param {ReturnType<typeof groundPlaces>[number] | undefined} place @param {string} name */
 async function measured(page, place, name) {
   if (place === undefined) throw new Error('no such place');
@@ -282,6 +292,8 @@ async function measured(page, place, name) {
   await says(page, 'ortho-chosen', /^A new place: press it on the orthophoto/);
   await pressAt(page, 'ortho-plan', 'ortho-place', place.place);
   await says(page, 'block-edit-text', new RegExp(`^${name}: placed in 0 images`));
+  // What was pressed stays in sight beside the images.
+  await isPainted(page, 'place-crop-picture');
   for (const { image, at } of place.seen.slice(0, 2)) {
     for (let turn = 0; turn < 3 && (await part(page, `pane-image-${image}`).isHidden()); turn++) await part(page, 'images-other').click();
     await part(page, 'block-zoom-fit').click();
@@ -316,7 +328,13 @@ test('places measured by hand bring a block into the system of the orthophoto, b
   for (const [k, place] of places.entries()) {
     const name = `orthophoto_hand_${k + 1}`;
     await measured(page, place, name);
-    if (k === 0) await page.screenshot({ path: join(SHOTS, 'place-by-hand.png') });
+    if (k === 0) {
+      await page.screenshot({ path: join(SHOTS, 'place-by-hand.png') });
+      await page.setViewportSize({ width: 360, height: 740 });
+      await page.waitForTimeout(500);
+      await page.screenshot({ path: join(SHOTS, 'place-by-hand-phone.png') });
+      await page.setViewportSize({ width: 1600, height: 1300 });
+    }
     await part(page, 'block-accept').click();
     await page.waitForFunction(
       (title) => document.querySelector('[data-testid="block-undo"]')?.getAttribute('title')?.startsWith(title),
@@ -362,7 +380,15 @@ test('places measured by hand bring a block into the system of the orthophoto, b
   await onGround(4);
   // Rejected and restored as any.
   await part(page, 'tab-block-surveyed').click();
-  await page.locator('[data-testid="block-surveyed"] tbody tr').filter({ hasText: 'orthophoto_hand_4' }).first().click();
+  const fourth = page.locator('[data-testid="block-surveyed"] tbody tr').filter({ hasText: 'orthophoto_hand_4' }).first();
+  await fourth.click();
+  // The orthophoto is beside its images, and not beside those of another point.
+  await part(page, 'block-show-images').click();
+  await isPainted(page, 'place-crop-picture');
+  await part(page, 'block-panes').focus();
+  await page.keyboard.press('n');
+  await part(page, 'place-crop').waitFor({ state: 'hidden' });
+  await fourth.click();
   await part(page, 'block-reject').click();
   await onGround(3);
   await part(page, 'block-restore').click();

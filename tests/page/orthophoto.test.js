@@ -66,6 +66,9 @@ const isKept = (page, ...names) =>
     );
   }, names);
 
+/** A place of an image, to 5 px.  @param {string} text */
+const rounded = (text) => [...text.matchAll(/[\d.]+/gu)].map(([figure]) => Math.round(Number(figure) / 5));
+
 test('the sample is placed by one press; image, link and table go together, are kept over a reload, and are saved', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block();
   await part(page, 'block-place-first').click();
@@ -94,6 +97,22 @@ test('the sample is placed by one press; image, link and table go together, are 
   await page.keyboard.press('n');
   await says(page, 'ortho-chosen', /^Link 6 of /);
   await page.waitForFunction(() => document.querySelector('[data-testid="block-links"] tr[aria-selected="true"] td')?.textContent === '6');
+
+  // Links near the border leave an image whole that is shown so, however small its pane gets: what lies in the middle is its middle.
+  const inMiddle = async () => {
+    await page.mouse.move(0, 0);
+    await says(page, 'ortho-at', /^$/);
+    await part(page, 'ortho-image').hover();
+    return says(page, 'ortho-at', /row/);
+  };
+  const seen = await inMiddle();
+  await page.setViewportSize({ width: 1100, height: 620 });
+  const resized = await inMiddle();
+  await part(page, 'ortho-image').focus();
+  await page.keyboard.press('0');
+  const fitted = rounded(await inMiddle());
+  assert.deepEqual([seen, resized].map(rounded), [fitted, fitted]);
+  await page.setViewportSize({ width: 1280, height: 800 });
 
   // By hand: a link is left out and used again, and a new one is measured in both pictures.
   const filter = part(page, 'block-links-filter-link-use');
@@ -292,6 +311,14 @@ test('the orthomosaic of a block is laid under its map, saved, and there after a
   const mosaic = await saved(page, 'block-export');
   assert.ok(mosaic.length > 10_000 && mosaic.subarray(0, 2).toString() === 'II', `${mosaic.length} bytes`);
   await status(page, / orthomosaic\.tif was saved\.$/);
+  // Of one image that is chosen it is that image on the ground.
+  await part(page, 'block-export-kind').selectOption('chosen');
+  assert.ok(await part(page, 'block-export').isDisabled());
+  await part(page, 'tab-block-images').click();
+  await page.locator('[data-testid="block-images"] tbody tr:not(.filler)').nth(1).click();
+  const rectified = await saved(page, 'block-export');
+  assert.ok(rectified.length > 1_000 && rectified.length < mosaic.length, `${rectified.length} of ${mosaic.length} bytes`);
+  await status(page, / photo_\d+-rectified\.tif was saved\.$/);
   await isKept(page, 'block/shown', 'block');
   await page.reload();
   await status(page, /^(Oriented|Weak orientation): .*Restored from this browser/);

@@ -308,7 +308,7 @@ impl Exported {
             // The square of the step in its standard errors is what it takes from v'Pv.
             let size: f64 = step.iter().zip(&right).map(|(step, right)| step * right).sum();
             values.iter_mut().zip(&step).for_each(|(value, step)| *value += step);
-            if size < 1e-16 * square {
+            if size < 1e-14 * square {
                 return (values, square, factor);
             }
         }

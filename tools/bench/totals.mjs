@@ -1,11 +1,11 @@
 /**
  * Whether total standard errors hold what they say: flights of every preset by every strategy, the mean square of error over total standard error
- * of each unknown. 1 is right. `--seeds=16` flights of each preset, all by other seeds, from `--from=801` on (earlier ones set the shares): the
- * errors of fiducial marks follow from the seed, whatever the preset.
+ * of each unknown. 1 is right. `--seeds=16` flights of each preset, all by other seeds, from `--from=865` on (earlier ones set the shares): the
+ * errors of fiducial marks follow from the seed, whatever the preset. `--only=TEXT` takes the strategies with the text in their name.
  */
 
 import { flight_preset, flight_presets, match_pair, Photo, simulate } from '../../pkg/node.js';
-import { numberOption } from './options.mjs';
+import { numberOption, textOption } from './options.mjs';
 
 /** @typedef {import('../../pkg/node.js').PairSettings['matching']} Matching @typedef {import('../../pkg/node.js').Preset} Preset */
 
@@ -14,6 +14,7 @@ const STRATEGIES = [
   ['auto', {}],
   ['gradient', { strategy: 'gradient' }],
   ['moments', { strategy: 'moments' }],
+  ['correlation', { strategy: 'correlation' }],
   ['correlation, refined', { strategy: 'correlation', refine: 'least-squares' }],
   ['least squares', { strategy: 'least-squares' }],
 ];
@@ -21,11 +22,12 @@ const STRATEGIES = [
 const UNKNOWNS = /** @type {const} */ (['omega_deg', 'phi_deg', 'kappa_deg', 'by_mm', 'bz_mm']);
 
 export function totals() {
-  const [seeds, from] = [numberOption('seeds', 16), numberOption('from', 801)];
+  const [seeds, from] = [numberOption('seeds', 16), numberOption('from', 865)];
   console.log(
     `Simulated flights, ${seeds} of each preset from seed ${from} on: mean square of error over total standard error of omega phi kappa by bz (1 is right)`,
   );
-  for (const [name, matching] of STRATEGIES) {
+  const only = textOption('only') ?? '';
+  for (const [name, matching] of STRATEGIES.filter(([name]) => name.includes(only))) {
     const all = flight_presets().map((preset, number) => {
       const squares = Array.from({ length: seeds }, (_, k) => squaresOf(preset, from + number * seeds + k, matching)).filter((square) => square !== null);
       console.log(`  ${name}, ${preset}: ${text(squares)}`);

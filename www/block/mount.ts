@@ -177,7 +177,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   const sample = () => void files.simulated.sample({ ...catalogue.flight, ...SAMPLE });
   const facts = new Facts(store, engine);
   let measures: Measures | null = null;
-  const images = imagesView(engine, facts, pick, (made) => {
+  const images = imagesView(engine, placing, facts, pick, (made) => {
     measures = made;
   });
   const views = [

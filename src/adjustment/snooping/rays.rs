@@ -170,7 +170,10 @@ impl Course<'_> {
         }
         let is_last = !self.is_reconsidered && calm_rounds >= FREE_ROUNDS && worst.iter().all(Option::is_none);
         if loss == Loss::Squares && (calm_rounds < FREE_ROUNDS || is_last) {
-            self.is_reconsidered |= is_last && !fitting.is_empty();
+            if is_last {
+                fitting.extend(self.regained(limit, known));
+                self.is_reconsidered = !fitting.is_empty();
+            }
             for ray in fitting {
                 self.verdicts[ray] = self.in_front(ray);
             }

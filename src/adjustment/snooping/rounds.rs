@@ -139,7 +139,7 @@ impl<'a> Course<'a> {
     /// | `impossible` | points lie behind images or are not determined | rejects rays | `Changed` |
     /// | `by_earlier_cofactors` | an earlier round of this loss left cofactors | rejects rays | `Changed` |
     /// | `by_own_cofactors` | always | rejects and takes back rays and positions, weighs positions anew, ends the robust loss | `Changed` |
-    /// | `weights` | variance components are estimated | weighs a group of observations anew | `Weighted` |
+    /// | `weights` | variance components are to weigh | weighs a group of observations anew | `Weighted` |
     /// | `undetermined` | camera parameters are worse than the limit, or nothing determines systematic errors of positions | fixes them | `Fixed` |
     /// | `insignificant` | systematic errors of positions are no more than chance | fixes them at zero | `Fixed` |
     ///
@@ -307,8 +307,12 @@ impl<'a> Course<'a> {
     }
 
     fn weights(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
-        let Some(found) = round.statistics.as_ref().filter(|_| self.options.variance_components) else { return Ok(None) };
+        let Some(found) = round.statistics.as_ref() else { return Ok(None) };
         let sums = sums_of_groups(&self.block, &round.problem, &round.adjusted.state, found, &self.verdicts);
+        if !self.options.variance_components {
+            self.weights.estimate(&sums, round.weighted_by);
+            return Ok(None);
+        }
         let changed = self.weights.update(&sums, round.weighted_by);
         if changed {
             self.weights.state_anew(&mut self.block, self.given);

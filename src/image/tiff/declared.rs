@@ -132,6 +132,11 @@ impl TiffLayout {
         self.photometric == RGB
     }
 
+    /// How many samples of a pixel are its grey value or its colours.
+    pub(super) fn colours(&self) -> usize {
+        if matches!(self.photometric, RGB | YCBCR) { 3 } else { 1 }
+    }
+
     pub(super) fn has_samples_of(&self, other: &Self) -> bool {
         let kind = |layout: &Self| (layout.bits, layout.samples, layout.planar, layout.compression == JPEG);
         // JPEG keeps the colours of a picture in either way.

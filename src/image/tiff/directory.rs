@@ -120,10 +120,10 @@ impl<S: FileSource> Directory<S> {
     }
 
     /// Where the first value of a tag stands, and the bytes that a new value has there.
-    pub fn encoded(&self, tag: u64, value: u64) -> Option<(usize, Vec<u8>)> {
+    pub fn encoded(&self, tag: u64, value: u64) -> Option<(u64, Vec<u8>)> {
         let (at, size, _) = self.values(tag)?;
         let bytes = if self.little_endian { value.to_le_bytes()[..size].to_vec() } else { value.to_be_bytes()[8 - size..].to_vec() };
-        Some((usize::try_from(at).ok()?, bytes))
+        Some((at, bytes))
     }
 
     /// Where the values of a tag stand, the bytes of one, and how many the file holds.

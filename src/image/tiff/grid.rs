@@ -23,7 +23,7 @@ pub(super) struct Grid {
 }
 
 /// Where a tile or strip meets a part of the picture.
-pub(super) struct Piece {
+pub(crate) struct Piece {
     pub index: usize,
     /// The column and row of the picture at which the tile or strip begins, and how long its rows are within the picture.
     pub corner: [usize; 2],
@@ -63,7 +63,8 @@ impl Grid {
         let [offsets, lengths] = [offsets_tag, lengths_tag].map(|tag| directory.numbers(tag).unwrap_or_default());
         let across = size[0].div_ceil(chunk[0]);
         let grid = Self { size, chunk, across, offsets, lengths };
-        if grid.lengths.len() != grid.offsets.len() || grid.lengths.len() < grid.number() {
+        let planes = if layout.planar { usize::try_from(layout.samples).unwrap_or(usize::MAX) } else { 1 };
+        if grid.lengths.len() != grid.offsets.len() || grid.lengths.len() < grid.number().saturating_mul(planes) {
             return Err(damaged(Format::Tiff, Damage::OtherThanDirectory));
         }
         // A file that ends early is refused at once, not where somebody looks at its end.
@@ -74,14 +75,19 @@ impl Grid {
         Ok(Some(grid))
     }
 
-    /// How many tiles or strips the picture has.
+    /// How many tiles or strips the picture has, or each plane of it.
     pub fn number(&self) -> usize {
         self.across.saturating_mul(self.size[1].div_ceil(self.chunk[1]))
     }
 
     /// Whether the file holds one: those that are all of nothing may be left out.
     pub fn holds(&self, index: usize) -> bool {
-        self.lengths.get(index).is_some_and(|length| *length > 0)
+        self.length(index) > 0
+    }
+
+    /// How many bytes of the file one has.
+    pub fn length(&self, index: usize) -> u64 {
+        self.lengths.get(index).copied().unwrap_or(0)
     }
 
     /// The bytes of one in the file.

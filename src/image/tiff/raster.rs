@@ -1,15 +1,15 @@
 //! A TIFF whose pixels are decoded where they are asked for: the picture itself, and smaller ones of it (overviews) that the file holds.
 
-use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use tiff::decoder::Decoder;
 
-use super::declared::{JPEG, PALETTE, RGB, TiffLayout, YCBCR, check_bands, check_counts, checked_directory, decoder_error, tag, unlimited};
+use super::declared::{JPEG, PALETTE, TiffLayout, YCBCR, check_bands, check_counts, checked_directory, decoder_error, tag, unlimited};
 use super::directory::Directory;
 use super::grid::Grid;
 use super::jpeg_chunk::JpegChunks;
 use super::transparency::Transparency;
+use crate::image::kept::Kept;
 use crate::image::layout::{Format, damaged};
 use crate::image::luminance::{Depth, Sample, SampleLayout, Wanted, bands_of_u8, bands_up_to, luma};
 use crate::source::{FileSource, SourceReader};
@@ -44,7 +44,7 @@ pub(crate) struct TiffRaster<S: FileSource> {
     levels: Vec<Level<S>>,
     samples: Samples,
     has_colours: bool,
-    kept: Mutex<Kept>,
+    kept: Kept<Key, Pixels>,
 }
 
 /// The picture, or an overview.
@@ -62,10 +62,12 @@ enum Coding<S: FileSource> {
 }
 
 /// What the samples of a pixel mean.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Samples {
     colour: bool,
-    /// Which sample is alpha.
+    /// Where they stand in planes: the planes of the file that are read, of which the last is alpha where there is any. Else none.
+    planes: Vec<usize>,
+    /// Which sample of those that are read is alpha.
     alpha: Option<usize>,
     /// The value that stands for nothing.
     no_data: Option<f64>,
@@ -91,17 +93,8 @@ enum Of {
 /// The picture's place among the levels, what is meant of it, and the number of the tile or strip.
 type Key = (usize, Of, usize);
 
-/// Decoded tiles and strips, of which those that were not asked for longest go first.
-#[derive(Default)]
-struct Kept {
-    chunks: HashMap<Key, (u64, Arc<Pixels>)>,
-    bytes: usize,
-    asked: u64,
-}
-
 impl<S: FileSource + Clone> TiffRaster<S> {
-    /// Reads its directories. Absent where it cannot be read in parts: a tile or strip has more than `most_px`, colours come from a palette, or the colours
-    /// of a pixel do not stand together.
+    /// Reads its directories. Absent where it cannot be read in parts: a tile or strip has more than `most_px`, or colours come from a palette.
     ///
     /// # Errors
     /// [`Error::UnsupportedImage`] and [`Error::UnreadableImage`] for what is not decoded, or damaged.
@@ -112,17 +105,21 @@ impl<S: FileSource + Clone> TiffRaster<S> {
         if width == 0 || height == 0 {
             return Err(damaged(Format::Tiff, Damage::NoPixels { width, height }));
         }
-        let is_in_planes = layout.planar && layout.samples > 1;
-        if layout.photometric == PALETTE || is_in_planes {
+        if layout.photometric == PALETTE {
             return Ok(None);
         }
         let Some(whole) = Level::of(&source, &first, &layout, 0, 0, most_px)? else { return Ok(None) };
-        let alpha = alpha_of(&first, &layout);
+        let (mut planes, mut alpha) = (Vec::new(), alpha_of(&first, &layout));
+        if layout.planar && layout.samples > 1 {
+            alpha = alpha.filter(|alpha| (*alpha as u64) < layout.samples);
+            planes = (0..layout.colours()).chain(alpha).collect();
+            alpha = alpha.map(|_| layout.colours());
+        }
         let white = (1_u64 << bits) - 1;
         let no_data = no_data.filter(|value| value.fract() == 0.0 && (0.0..=white as f64).contains(value));
-        let samples = Samples { colour: layout.is_colour(), alpha, no_data, bits, white: 0xffff };
+        let samples = Samples { colour: layout.is_colour(), planes, alpha, no_data, bits, white: 0xffff };
         let has_colours = layout.is_colour() || layout.photometric == YCBCR;
-        let mut raster = Self { levels: vec![whole], samples, has_colours, kept: Mutex::default() };
+        let mut raster = Self { levels: vec![whole], samples, has_colours, kept: Kept::new(KEPT_BYTES) };
         raster.add_overviews(&source, &first, &layout, most_px);
         if bits == 16 {
             raster.samples.white = raster.white()?;
@@ -218,19 +215,18 @@ impl<S: FileSource + Clone> TiffRaster<S> {
     }
 
     fn kept(&self, key: Key, decode: impl FnOnce() -> Result<Pixels, Error>) -> Result<Arc<Pixels>, Error> {
-        let kept = || self.kept.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(chunk) = kept().get(key) {
-            return Ok(chunk);
-        }
-        let chunk = Arc::new(decode()?);
-        kept().keep(key, &chunk);
-        Ok(chunk)
+        self.kept.part(key, |chunk| chunk.bands.iter().map(Vec::len).sum::<usize>() + chunk.nothing.len(), decode)
+    }
+
+    /// Whether the file holds anything of a tile or strip.
+    fn holds(&self, level: &Level<S>, index: usize) -> bool {
+        self.samples.planes_or_all().any(|plane| level.grid.holds(plane * level.grid.number() + index))
     }
 
     fn decoded(&self, level: &Level<S>, index: usize, wanted: Wanted) -> Result<Pixels, Error> {
         let [width, height] = level.grid.sides(index);
         let pixels = width * height;
-        if !level.grid.holds(index) {
+        if !self.holds(level, index) {
             return Ok(Pixels::nothing(self.bands(wanted), pixels));
         }
         let decoder = match &level.coding {
@@ -270,14 +266,28 @@ impl<S: FileSource + Clone> TiffRaster<S> {
     ) -> Result<(Vec<u8>, SampleLayout), Error> {
         let mut decoder = decoder.lock().unwrap_or_else(PoisonError::into_inner);
         let [width, height] = level.grid.sides(index);
-        let channels = usize::from(decoder.colortype().map_err(decoder_error)?.num_samples());
-        let length = decoder.image_chunk_buffer_layout(index as u32).map_err(decoder_error)?.len;
-        if length != width * height * channels * (self.samples.bits / 8) as usize {
-            return Err(damaged(Format::Tiff, Damage::OtherThanDirectory));
+        let sample_bytes = (self.samples.bits / 8) as usize;
+        let (colour, plane) = (self.samples.colour, width * height);
+        let mut bytes = Vec::new();
+        if self.samples.planes.is_empty() {
+            let channels = usize::from(decoder.colortype().map_err(decoder_error)?.num_samples());
+            read_onto(&mut bytes, &mut decoder, index, |length| length == plane * channels * sample_bytes)?;
+            return Ok((bytes, SampleLayout { channels, colour, plane_stride: None }));
         }
-        let mut bytes = vec![0; length];
-        decoder.read_chunk_bytes(index as u32, &mut bytes).map_err(decoder_error)?;
-        Ok((bytes, SampleLayout { channels, colour: self.samples.colour, plane_stride: None }))
+        for (k, of_file) in self.samples.planes.iter().enumerate() {
+            let index = of_file * level.grid.number() + index;
+            if level.grid.holds(index) {
+                // The library takes the lowest tiles of planes for whole ones.
+                read_onto(&mut bytes, &mut decoder, index, |length| length >= plane * sample_bytes)?;
+            }
+            // In the machine's byte order, as the library gives samples.
+            let missing = self.samples.no_data.unwrap_or(0.0) as u16;
+            let missing = if sample_bytes == 1 { vec![missing as u8] } else { missing.to_ne_bytes().to_vec() };
+            bytes.truncate((k + 1) * plane * sample_bytes);
+            let lacking = (k + 1) * plane - bytes.len() / sample_bytes;
+            bytes.extend(missing.repeat(lacking));
+        }
+        Ok((bytes, SampleLayout { channels: self.samples.planes.len(), colour, plane_stride: Some(plane) }))
     }
 
     /// The 16-bit sample that becomes white, by tiles or strips of the smallest picture.
@@ -292,7 +302,7 @@ impl<S: FileSource + Clone> TiffRaster<S> {
         let step = (number * 5 / 8..).find(|step| greatest_common_divisor(*step, number) == 1).unwrap_or(1);
         let (mut depth, mut seen) = (Depth::default(), 0);
         for index in
-            (0..number.min(most)).map(|k| (k as u64 * step as u64 % number as u64) as usize).filter(|index| level.grid.holds(*index))
+            (0..number.min(most)).map(|k| (k as u64 * step as u64 % number as u64) as usize).filter(|index| self.holds(level, *index))
         {
             let (bytes, layout) = self.samples_of(decoder, level, index)?;
             let samples = bytes.as_chunks::<2>().0;
@@ -336,17 +346,37 @@ impl<S: FileSource + Clone> Level<S> {
     }
 }
 
+/// Reads a tile or strip of the library onto others.
+fn read_onto<S: FileSource>(
+    bytes: &mut Vec<u8>,
+    decoder: &mut Decoder<SourceReader<S>>,
+    index: usize,
+    is_right: impl FnOnce(usize) -> bool,
+) -> Result<(), Error> {
+    let length = decoder.image_chunk_buffer_layout(index as u32).map_err(decoder_error)?.len;
+    if !is_right(length) {
+        return Err(damaged(Format::Tiff, Damage::OtherThanDirectory));
+    }
+    let from = bytes.len();
+    bytes.resize(from + length, 0);
+    decoder.read_chunk_bytes(index as u32, &mut bytes[from..]).map_err(decoder_error)
+}
+
 /// Which sample is alpha.
 fn alpha_of<S: FileSource>(directory: &Directory<S>, layout: &TiffLayout) -> Option<usize> {
-    let colours = if layout.photometric == RGB || layout.photometric == YCBCR { 3 } else { 1 };
     let further = directory.all_shorts(tag::EXTRA_SAMPLES)?;
-    further.iter().position(|kind| ALPHA.contains(kind)).map(|k| colours + k)
+    further.iter().position(|kind| ALPHA.contains(kind)).map(|k| layout.colours() + k)
 }
 
 impl Samples {
+    /// The planes of the file that are read; the first one where the samples of a pixel stand together.
+    fn planes_or_all(&self) -> impl Iterator<Item = usize> {
+        self.planes.iter().copied().chain(self.planes.is_empty().then_some(0))
+    }
+
     /// Which pixels show nothing.
     fn nothing<T: Sample>(&self, samples: &[T], layout: &SampleLayout, pixels: usize) -> Vec<bool> {
-        let at = |pixel: usize, channel: usize| f64::from(samples[pixel * layout.channels + channel].value());
+        let at = |pixel: usize, channel: usize| f64::from(samples[layout.place(pixel, channel)].value());
         let colours = if layout.colour { 3 } else { 1 };
         match (self.alpha.filter(|alpha| *alpha < layout.channels), self.no_data) {
             (Some(alpha), _) => (0..pixels).map(|pixel| at(pixel, alpha) == 0.0).collect(),
@@ -354,29 +384,6 @@ impl Samples {
                 let value = value.unwrap_or(0.0);
                 (0..pixels).map(|pixel| (0..colours).all(|channel| at(pixel, channel) == value)).collect()
             }
-        }
-    }
-}
-
-impl Kept {
-    fn get(&mut self, key: Key) -> Option<Arc<Pixels>> {
-        self.asked += 1;
-        let (asked, chunk) = self.chunks.get_mut(&key)?;
-        *asked = self.asked;
-        Some(Arc::clone(chunk))
-    }
-
-    fn keep(&mut self, key: Key, chunk: &Arc<Pixels>) {
-        let bytes = |chunk: &Pixels| chunk.bands.iter().map(Vec::len).sum::<usize>() + chunk.nothing.len();
-        self.bytes += bytes(chunk);
-        while self.bytes > KEPT_BYTES {
-            let oldest = self.chunks.iter().min_by_key(|(_, (asked, _))| *asked).map(|(key, _)| *key);
-            let Some((_, gone)) = oldest.and_then(|key| self.chunks.remove(&key)) else { break };
-            self.bytes -= bytes(&gone);
-        }
-        // Another thread may have decoded it meanwhile.
-        if let Some((_, same)) = self.chunks.insert(key, (self.asked, Arc::clone(chunk))) {
-            self.bytes -= bytes(&same);
         }
     }
 }

@@ -28,6 +28,7 @@ pub(super) fn components(texts: &Texts, model: &ReconstructedModel) -> Markup {
         }
         p.note {
             (texts.say("report-components-explained"))
+            " " (texts.say(if model.adjusted.weighting.is_some() { "report-weights-follow" } else { "report-weights-stated" }))
             @if let Some(weighting) = model.adjusted.weighting {
                 " " (texts.with("report-rounds", [("rounds", weighting.rounds.to_string())]))
                 @if !weighting.converged { " " (texts.say("report-weights-did-not-converge")) }

@@ -18,7 +18,7 @@ options! {
         section "Refinement of observations";
 
         /// Whether the observations of chosen points are moved to where their grey values fit those of a reference observation best.
-        method: RefinementMethod = RefinementMethod::None, "Refinement", named "refine";
+        method: RefinementMethod = RefinementMethod::LeastSquares, "Refinement", named "refine";
 
         /// The number of observations per image that are refined and orient the block, where there are as many: more make it more stable and
         /// take longer.

@@ -14,7 +14,7 @@ export class Facts {
   private readonly answers = new Map<string, unknown>();
   private readonly asked = new Set<string>();
   private readonly listeners: (() => void)[] = [];
-  private waiting: ((hasCome: boolean) => void)[] = [];
+  private waiting: ((goesOn: boolean) => void)[] = [];
 
   constructor(
     private readonly store: BlockStore,
@@ -31,7 +31,7 @@ export class Facts {
     return this.asked.size > 0;
   }
 
-  /** Until one of them has come: false where one will not come any more. */
+  /** Until one of them has come, or another block has, which is asked anew: false where one will not come any more. */
   answered(): Promise<boolean> {
     return new Promise((resolve) => this.waiting.push(resolve));
   }
@@ -101,12 +101,12 @@ export class Facts {
     this.of = of;
     this.answers.clear();
     this.asked.clear();
-    this.goOn(false);
+    this.goOn(true);
   }
 
-  private goOn(hasCome: boolean): void {
+  private goOn(goesOn: boolean): void {
     const { waiting } = this;
     this.waiting = [];
-    for (const resolve of waiting) resolve(hasCome);
+    for (const resolve of waiting) resolve(goesOn);
   }
 }

@@ -62,6 +62,8 @@ export interface MosaicKind {
   inAdjustment: boolean;
   /** The side of a pixel in units of that system; null: that of the images. */
   gsd: number | null;
+  /** The names of the images that it is made of; null: all. */
+  images: readonly string[] | null;
 }
 
 export interface MosaicInput extends MosaicKind {
@@ -137,7 +139,7 @@ async function opened({ picture, heights, keys }: Ground): Promise<Held> {
     const { reference } = held;
     // Where these are refused the former ones stay.
     if (typeof heights === 'number') reference.set_heights(heights);
-    else reference.set_heights(await bytesOf(heights.file), heights.sidecars);
+    else reference.set_heights(inParts(heights.file), heights.sidecars);
     held = { keys, reference, info: reference.info(), searched: '' };
   }
   return held;
@@ -275,13 +277,13 @@ let mosaic: OrthoMosaic | null = null;
 let written: Blob[] = [];
 
 /** Lays out the orthomosaic of a project file; gives its images that will be added, by name and index, in the order in which they are to come. */
-export async function mosaicOpen({ project, heights, inAdjustment, gsd, names }: MosaicInput): Promise<{ name: string; index: number }[]> {
+export async function mosaicOpen({ project, heights, inAdjustment, gsd, images, names }: MosaicInput): Promise<{ name: string; index: number }[]> {
   mosaic?.free();
   mosaic = null;
   written = [];
-  const model = typeof heights === 'object' && heights !== null ? await bytesOf(heights.file) : heights;
+  const model = typeof heights === 'object' && heights !== null ? inParts(heights.file) : heights;
   const sidecars = typeof heights === 'object' && heights !== null ? heights.sidecars : null;
-  const made = OrthoMosaic.open(await bytesOf(project), model, sidecars, gsd ?? undefined, inAdjustment);
+  const made = OrthoMosaic.open(await bytesOf(project), model, sidecars, gsd ?? undefined, inAdjustment, images ?? undefined);
   mosaic = made;
   const own = made.names;
   const order = [...made.order()].map((index) => ({ name: own[index] ?? '', index }));

@@ -8,6 +8,7 @@ import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
 import { editsInForce, isSameList } from '../state/editing';
 import { pendingPoints } from '../state/given-points';
+import { imagesOf } from '../state/selection';
 import { isBusy } from '../state/state';
 import { saveMosaic } from './mosaic';
 import { say } from '../../shared/text/words';
@@ -30,48 +31,58 @@ const NAMES: Readonly<Record<ExportKind, string>> = {
   geojson: 'GeoJSON',
 };
 
-/** Made of the images as well. */
-const MOSAIC = 'mosaic';
+/** Made of the images as well: of all, or of those that are chosen. */
+const MOSAICS = { mosaic: say('orthomosaic-geotiff'), chosen: say('chosen-images-on-the-ground') } as const;
+
+type Mosaic = keyof typeof MOSAICS;
+
+const isMosaic = (kind: string): kind is Mosaic => kind in MOSAICS;
 
 const EXPORT = 'block-export';
 
 export function mountExports(host: HTMLElement, store: BlockStore, engine: BlockEngine, placing: PlacingEngine): void {
   const select = h('select', { id: 'block-export-kind', testid: 'block-export-kind', aria: { label: say('format') } });
-  const press = button(
-    say('save'),
-    EXPORT,
-    () => void (select.value === MOSAIC ? saveMosaic(store, engine, placing, EXPORT, typed(pixel)) : saveAs(store, engine, select.value as ExportKind)),
-  );
+  const press = button(say('save'), EXPORT, () => {
+    const { value } = select;
+    if (isMosaic(value)) void saveMosaic(store, engine, placing, EXPORT, typed(pixel), value === 'chosen' ? chosenImages(store) : null);
+    else void saveAs(store, engine, value as ExportKind);
+  });
   const pixel = h('input', { id: 'block-mosaic-pixel', type: 'number', testid: 'block-mosaic-pixel', aria: { label: say('pixel-of-the-orthomosaic') } });
   pixel.placeholder = say('pixel-as-the-images');
   pixel.title = say('pixel-of-the-orthomosaic');
   pixel.step = 'any';
   pixel.hidden = true;
-  const offerPixel = () => {
-    pixel.hidden = select.value !== MOSAIC;
-  };
-  select.addEventListener('change', offerPixel);
-  host.append(h('span', { class: 'group-label' }, say('export')), select, pixel, press);
-  store.watch(['shown', 'running', 'notice', 'history', 'placing'], ([shown, , , history]) => {
+  const offer = () => {
+    const { shown, history } = store.state;
+    pixel.hidden = !isMosaic(select.value);
     // A part of a block has no points yet.
     const whole = shown !== null && !shown.view.partial;
+    const lacksImages = select.value === 'chosen' && chosenImages(store).length === 0;
     // What is saved has all edits that were made: the last of them may still be on their way.
-    press.disabled = !whole || isBusy(store.state) || !isSameList(editsInForce(history), shown.edits);
+    press.disabled = !whole || isBusy(store.state) || lacksImages || !isSameList(editsInForce(history), shown.edits);
+    press.title = lacksImages ? say('choose-one-or-more-images') : '';
     select.disabled = pixel.disabled = !whole;
-  });
+  };
+  select.addEventListener('change', offer);
+  host.append(h('span', { class: 'group-label' }, say('export')), select, pixel, press);
   store.watch(['shown'], ([shown]) => {
     const formats = shown?.view.formats ?? [];
-    const kinds: readonly (ExportKind | typeof MOSAIC)[] = [
+    const kinds: readonly (ExportKind | Mosaic)[] = [
       'project',
       'everything',
-      ...((shown?.view.oriented ?? 0) > 0 ? ([MOSAIC] as const) : []),
+      ...((shown?.view.oriented ?? 0) > 0 ? (['mosaic', 'chosen'] as const) : []),
       ...formats,
     ];
     const { value } = select;
-    fill(select, ...kinds.map((kind) => new Option(kind === MOSAIC ? say('orthomosaic-geotiff') : NAMES[kind], kind)));
+    fill(select, ...kinds.map((kind) => new Option(isMosaic(kind) ? MOSAICS[kind] : NAMES[kind], kind)));
     if (kinds.some((kind) => kind === value)) select.value = value;
-    offerPixel();
   });
+  store.watch(['shown', 'running', 'notice', 'history', 'placing', 'selection'], offer);
+}
+
+/** The names of the images that are chosen. */
+function chosenImages({ state: { shown, selection } }: BlockStore): string[] {
+  return imagesOf(selection.chosen).flatMap((image) => shown?.view.images[image]?.name ?? []);
 }
 
 /** `near`: the `data-testid` of the button that was pressed, beside which a refusal is said. */

@@ -8,6 +8,7 @@ import { asFigure } from '../../shared/text/direction';
 import { count, fixed } from '../../shared/text/format';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
+import type { PlacingEngine } from '../engine/placing';
 import type { PointDetail } from '../../../pkg/wasm/tiepoint.js';
 import { groundAt, photoMm } from '../state/observed';
 import { MOST_PANES, shownImages } from '../state/panes';
@@ -18,6 +19,7 @@ import { inUnitOf } from '../state/scale';
 import type { BlockView } from '../state/view';
 import { describe } from '../state/words';
 import { ImagesView } from '../view/images/images';
+import { PlaceCrop } from '../view/images/place-crop';
 import type { Looking } from '../view/looking';
 import type { At, Pane } from '../view/images/scene';
 import type { Measures } from './edit-bar';
@@ -28,7 +30,7 @@ import { say } from '../../shared/text/words';
 const KEYS = say('press-a-point-every-image');
 
 /** `addImages` asks for files; `ready` is given what measures points. */
-export function imagesView(engine: BlockEngine, facts: Facts, addImages: () => void, ready: (measures: Measures) => void): StageView {
+export function imagesView(engine: BlockEngine, placing: PlacingEngine, facts: Facts, addImages: () => void, ready: (measures: Measures) => void): StageView {
   return {
     name: 'images',
     title: say('images-2'),
@@ -45,7 +47,7 @@ export function imagesView(engine: BlockEngine, facts: Facts, addImages: () => v
       const element = h(
         'div',
         { class: 'images-view', tabindex: -1 },
-        h('div', { class: 'image-scroll' }, host),
+        h('div', { class: 'image-row' }, cropOf(store, placing), h('div', { class: 'image-scroll' }, host)),
         h('div', { class: 'image-said' }, point, place),
       );
       element.addEventListener('focus', () => host.focus());
@@ -68,6 +70,15 @@ export function imagesView(engine: BlockEngine, facts: Facts, addImages: () => v
       return { element, tools: [toolsOf(host, store, view, looking)], zoomable: view.moving, keys: KEYS };
     },
   };
+}
+
+/** The orthophoto about the place that is measured, as the first of the pictures. */
+function cropOf(store: BlockStore, placing: PlacingEngine): HTMLElement {
+  const picture = h('div', { class: 'view', testid: 'place-crop-picture', role: 'img', aria: { label: say('the-place-on-the-orthophoto') } });
+  const crop = h('div', { class: 'place-crop', testid: 'place-crop' }, picture, h('p', { class: 'ortho-name' }, say('orthophoto')));
+  crop.hidden = true;
+  new PlaceCrop(crop, picture, store, placing);
+  return crop;
 }
 
 function setText(element: HTMLElement, text: string): void {

@@ -95,6 +95,6 @@ async function made(store: BlockStore, engine: PlacingEngine, kind: PlacedExport
   }
 }
 
-function rectifiedName(name: string): string {
+export function rectifiedName(name: string): string {
   return `${(name.split('/').at(-1) ?? name).replace(/\.[^.]*$/u, '')}-rectified.tif`;
 }

@@ -76,6 +76,11 @@ async function saveValues(plot: Plot, saved: (name: string) => void): Promise<vo
     ...(names === undefined ? {} : { words: true }),
   });
   const name = `block-${plot.shows}.csv`;
-  save(new Blob([csvOf([...(data.about ?? []), column(data.x), column(data.y)], data.x.values.keys(), await intoEnglish())], { type: 'text/csv' }), name);
+  save(
+    new Blob([csvOf([...(data.about ?? []), column(data.x), column(data.y), ...(data.more ?? [])], data.x.values.keys(), await intoEnglish())], {
+      type: 'text/csv',
+    }),
+    name,
+  );
   saved(name);
 }

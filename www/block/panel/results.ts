@@ -112,13 +112,17 @@ function listOf(title: string, testid: string, texts: readonly string[]): HTMLEl
   return texts.length === 0 ? null : section(title, testid, h('ul', {}, ...texts.map((text) => h('li', {}, text))));
 }
 
-function checkFact({ points, rmse_m: rmse, ratio }: CheckSummary): Fact {
-  return {
-    name: say('check-points-rmse'),
-    testid: 'block-checks',
-    value: say('m-points', { join: rmse.map((value) => fixed(value, 3)).join(' '), points, what: ratio === null ? '' : say('predicted', { ratio }) }),
-    help: say('root-mean-square-difference-of'),
-  };
+function checkFacts({ points, rmse_m: rmse, mean_m: mean, ratio }: CheckSummary): Fact[] {
+  const ofAxes = (values: readonly number[]) => values.map((value) => fixed(value, 3)).join(' ');
+  return [
+    {
+      name: say('check-points-rmse'),
+      testid: 'block-checks',
+      value: say('m-points', { join: ofAxes(rmse), points, what: ratio === null ? '' : say('predicted', { ratio }) }),
+      help: say('root-mean-square-difference-of'),
+    },
+    { name: say('check-points-mean'), testid: 'block-checks-mean', value: say('mean-m', { join: ofAxes(mean) }), help: say('mean-difference-of-check-points') },
+  ];
 }
 
 function factsOf(view: BlockView): Fact[] {
@@ -172,7 +176,7 @@ function factsOf(view: BlockView): Fact[] {
             help: say('control-and-check-points-of-the'),
           },
         ]),
-    ...(view.checks === null ? [] : [checkFact(view.checks)]),
+    ...(view.checks === null ? [] : checkFacts(view.checks)),
     {
       name: 'RMSE',
       testid: 'block-rmse',

@@ -22,6 +22,7 @@ import { asksPurpose, isHeldByHand, isOffGround, lacksPlaceAlone, purposeOf } fr
 import { isInSystemOf } from '../state/showing';
 import { isBusy, isOutdated } from '../state/state';
 import type { BlockCatalogue, BlockState, Shown } from '../state/state';
+import type { CheckSummary } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockView } from '../state/view';
 import { ofLine } from '../../shared/state/notice';
 import { refusedText, say } from '../../shared/text/words';
@@ -271,7 +272,13 @@ function figuresOf(view: BlockView): Figure[] {
     { value: say('of-4', { oriented: view.oriented, images: view.images.length }), label: say('photos-oriented') },
     { value: count(view.points.taking), label: say('points-on-several-photos') },
     ...(view.sigma0Px === null ? [] : [{ value: say('px-2', { value: view.sigma0Px }), label: say('precision') }]),
+    // What took no part judges the block from outside: σ₀ does not.
+    ...(view.checks === null ? [] : [checkFigure(view.checks)]),
   ];
+}
+
+function checkFigure({ points, plan_rmse_m: plan, height_rmse_m: height }: CheckSummary): Figure {
+  return { value: say('plan-and-height-m', { plan, height }), label: say('rmse-of-check-points', { points }) };
 }
 
 function connectedPairs({ connections }: BlockView): number {

@@ -5,6 +5,7 @@ import { maskOf } from '../../shared/state/rows';
 import type { Column, Filter } from '../../shared/state/rows';
 import { imagesOf, keyOfPair, pairsOf, pointsOf } from './selection';
 import type { ViewObservations } from './facts';
+import { judgedOf, ratioOf } from './judged';
 import type { Coordinates } from './marks';
 import type { Choice, Selection, Subject } from './selection';
 import type { Listed } from './state';
@@ -159,6 +160,11 @@ function surveyedRows(view: BlockView, given: readonly ViewGiven[], asGiven: Coo
   const isOther = (row: number, name: string) => asGiven.get(name)?.some((value, k) => differs(value, own[3 * row + k])) === true;
   const areElsewhere = given.some(({ position }, i) => places[i] == null || position.some((value, k) => differs(value, places[i]?.[k])));
   const areOthers = areElsewhere || surveyed.some(({ name }, row) => isOther(row, name));
+  const judged = surveyed.map(judgedOf);
+  const parts = (['control', 'check'] as const).map((role) => ({
+    label: roleText(role),
+    has: (row: number) => surveyed[row]?.isUsed === true && surveyed[row].role === role,
+  }));
   // What was given and is not in the block comes last.
   const beside = (row: number) => given[row - surveyed.length];
   const useText = (row: number) => {
@@ -170,7 +176,8 @@ function surveyedRows(view: BlockView, given: readonly ViewGiven[], asGiven: Coo
     count: surveyed.length + given.length,
     columns: [
       words('surveyed', say('point'), (i) => surveyed[i]?.name ?? beside(i)?.name ?? '', say('name-of-the-surveyed-point')),
-      words('use', say('use'), useText, say('control-points-place-the-block')),
+      // What places the block and what judges it have no root mean square together.
+      { ...words('use', say('use'), useText, say('control-points-place-the-block')), parts },
       numbers('surveyed-rays', say('rays-2'), '', 0, (i) => surveyed[i]?.rays ?? NaN, say('image-measurements-that-took-part'), { total: 'sum' }),
       // Where the block has a system of its own, they stand as the surveyor has them, too.
       ...(areOthers
@@ -202,6 +209,11 @@ function surveyedRows(view: BlockView, given: readonly ViewGiven[], asGiven: Coo
       ),
       ...axes.map((axis, k) =>
         numbers(`difference-sigma-${axis}`, `σ Δ${axis}`, 'm', 3, (i) => surveyed[i]?.standard_errors_m[k], say('standard-error-of', { axis }), {
+          total: 'rms',
+        }),
+      ),
+      ...axes.map((axis, k) =>
+        numbers(`difference-ratio-${axis}`, `Δ/σ ${axis}`, '', 1, (i) => judged[i] && ratioOf(judged[i], k), say('difference-by-standard-error', { axis }), {
           total: 'rms',
         }),
       ),

@@ -62,14 +62,14 @@ export function placedColumns(rows: readonly PlacedFile[], said: (row: PlacedFil
 
 /** `unit`: that of the orthophoto. */
 export function linkColumns(
-  { links: { at, places, residuals, uses } }: LinkedPlacement,
+  { links: { at, places, residuals, uses, byHand } }: LinkedPlacement,
   steps: readonly LinkStep[],
   done: number,
   unit: LengthUnit,
 ): readonly Column[] {
   return [
     numbers('link', say('link'), '', 0, (i) => i + 1, say('number-of-the-link-press')),
-    words('link-use', say('use'), (i) => useWord({ steps, done }, i, USES[uses[i] ?? 0] ?? 'used'), say('used-for-the-orientation-kept')),
+    words('link-use', say('use'), (i) => useWord({ steps, done }, i, USES[uses[i] ?? 0] ?? 'used', byHand[i] === 1), say('used-for-the-orientation-kept')),
     numbers('link-column', say('column'), 'px', 2, (i) => at[2 * i], say('position-in-the-image-the')),
     numbers('link-row', say('row-2'), 'px', 2, (i) => at[2 * i + 1], say('position-in-the-image')),
     numbers('link-x', 'X', unit, 2, (i) => places[3 * i], say('place-on-the-orthophoto-2')),

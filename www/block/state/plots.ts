@@ -1,9 +1,10 @@
 /** The plots of a block: what they show of images, points and observations, and what each value is about. */
-import { words } from '../../shared/state/columns';
+import { numbers, words } from '../../shared/state/columns';
 import { remember } from '../../shared/state/remember';
 import type { Column } from '../../shared/state/rows';
 import type { ViewObservations } from './facts';
 import type { ViewGround } from './ground';
+import { judgedOf, planOf } from './judged';
 import { normalQuantiles } from './normal';
 import { pointColumn, surveyedAt } from './point-kinds';
 import { headOf, pointCoordinates, resultSystem, unitOn } from './result-system';
@@ -11,7 +12,7 @@ import { unitOf } from './scale';
 import { choiceOfImages, choiceOfPoints, imagesOf, pointsOf } from './selection';
 import type { Choice } from './selection';
 import type { BlockView } from './view';
-import { say } from '../../shared/text/words';
+import { say, sayNamed } from '../../shared/text/words';
 
 export type PlotName = 'residuals' | 'w' | 'detectable' | 'images' | 'rays' | 'sigma-plan' | 'sigma-height' | 'gnss' | 'surveyed-plan' | 'surveyed-height';
 
@@ -47,14 +48,27 @@ export interface PlotData {
   square: boolean;
   /** A line goes where both values are the same. */
   equal?: boolean;
+  /** The ends of whiskers about the values: intervals of 95 %; NaN where none is known. */
+  whiskers?: { from: Float64Array; to: Float64Array };
+  /** What the values are of: drawn apart, with a legend. */
+  groups?: Groups;
   /** Columns of its file that say what a value is about, where its axes do not. */
   about?: readonly Column[];
+  /** Columns of its file that say more of the values. */
+  more?: readonly Column[];
+  /** What is said of a value under the pointer, where its axes do not say all. */
+  said?: (row: number) => string;
   /** What a value is about. */
   choice: (row: number) => Choice | null;
   /** Tells the values that a choice is about. */
   chosen: (choice: Choice | null) => (row: number) => boolean;
   /** What several values together are about; null where nothing is all of it. */
   together: (rows: readonly number[]) => Choice | null;
+}
+
+export interface Groups {
+  kinds: readonly { label: string; mark: 'square' | 'triangle' | 'outline' }[];
+  of: (row: number) => number;
 }
 
 /** What of a block is asked of its worker. */
@@ -163,19 +177,51 @@ const alongBlock = remember((view: BlockView, plan: boolean): PlotData => {
   return { ...ofPoints(rows, x, y), about: [pointColumn(view, 'point', (row) => rows[row], '')] };
 });
 
+/** As the map draws them: control points are triangles, check points squares. */
+const SURVEYED_KINDS = [
+  { key: 'check', label: say('check-point'), mark: 'square' },
+  { key: 'left_out', label: say('control-point-left-out'), mark: 'triangle' },
+  { key: 'adjusted', label: say('control-point-adjusted'), mark: 'outline' },
+] as const;
+
+/** Normally distributed errors are within so many standard errors with a probability of 95 %. */
+const WITHIN_95 = 1.96;
+
 const surveyedPoints = remember(({ surveyed }: BlockView, plan: boolean): PlotData => {
   const used = surveyed.filter(({ isUsed }) => isUsed);
-  const names = used.map(({ name, role }) => `${name} (${role})`);
-  return ofPoints(
+  const judged = used.map(judgedOf);
+  const values = Float64Array.from(judged, (one) => (plan ? planOf(one).length : (one.difference[2] ?? NaN)));
+  const errors = Float64Array.from(judged, (one) => (plan ? planOf(one).error : (one.errors[2] ?? NaN)));
+  const ratio = (row: number) => ((errors[row] ?? NaN) > 0 ? (values[row] ?? NaN) / (errors[row] ?? NaN) : NaN);
+  const groupOf = (row: number) => (used[row]?.role === 'check' ? 'check' : judged[row]?.isLeftOut === true ? 'left_out' : 'adjusted');
+  const kinds = SURVEYED_KINDS.filter(({ key }) => used.some((_, row) => groupOf(row) === key));
+  const kindText = (row: number) => kinds.find(({ key }) => key === groupOf(row))?.label ?? '';
+  const role = (row: number) => sayNamed('role', { role: used[row]?.role ?? 'check' });
+  const data = ofPoints(
     Uint32Array.from(used, ({ point }) => point),
-    { label: say('point'), unit: '', values: Float64Array.from(used.keys()), names },
-    {
-      label: plan ? say('adjusted-minus-surveyed-place') : say('adjusted-minus-surveyed-height'),
-      unit: 'm',
-      values: Float64Array.from(used, ({ difference_m: [x, y, z] }) => (plan ? Math.hypot(x, y) : z)),
-    },
-    true,
+    { label: say('point'), unit: '', values: Float64Array.from(used.keys()), names: used.map(({ name }) => name) },
+    { label: plan ? say('adjusted-minus-surveyed-place') : say('adjusted-minus-surveyed-height'), unit: 'm', values },
   );
+  return {
+    ...data,
+    // A length ends at 0.
+    whiskers: {
+      from: values.map((value, row) => Math.max(plan ? 0 : -Infinity, value - WITHIN_95 * (errors[row] ?? NaN))),
+      to: values.map((value, row) => value + WITHIN_95 * (errors[row] ?? NaN)),
+    },
+    groups: { kinds, of: (row) => kinds.findIndex(({ key }) => key === groupOf(row)) },
+    about: [words('use', say('use'), role, ''), words('kind', say('kind'), kindText, '')],
+    more: [numbers('sigma', 'σ', 'm', 4, (row) => errors[row], ''), numbers('ratio', 'Δ/σ', '', 2, ratio, '')],
+    said: (row) =>
+      say('surveyed-value', {
+        name: used[row]?.name ?? '',
+        kind: kindText(row),
+        difference: values[row] ?? NaN,
+        error: errors[row] ?? NaN,
+        ratio: ratio(row),
+        known: Number.isNaN(ratio(row)) ? 'no' : 'yes',
+      }),
+  };
 });
 
 /** How many tie points have so many rays. */

@@ -3,7 +3,7 @@ import type { GivenLink, LinkUse } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import { linkOf } from './links';
 import type { LinkedImage, Links } from './links';
-import { say } from '../../shared/text/words';
+import { say, sayNamed } from '../../shared/text/words';
 
 type Place = [number, number];
 
@@ -64,11 +64,13 @@ const addedLinks = remember((steps: readonly LinkStep[], done: number): Links | 
   };
 });
 
-/** How a link is used; of one that is left out also who left it out, the user or data snooping. */
-export function useWord({ steps, done }: Handled, link: number, use: LinkUse): string {
-  if (use !== 'rejected') return say('link-use', { use });
+/** How a link is used; of one that is left out also who left it out, the user or data snooping. `byHand`: says that it was measured by hand, too. */
+export function useWord({ steps, done }: Handled, link: number, use: LinkUse, byHand = false): string {
   const last = steps.slice(0, done).findLast((step) => step.kind !== 'add' && step.link === link);
-  return last?.kind === 'reject' ? say('rejected-by-hand-2') : say('rejected-as-a-gross-error');
+  const isByUser = last?.kind === 'reject';
+  if (byHand) return sayNamed('link-measured-by-hand', { use: use !== 'rejected' ? use : isByUser ? 'by_hand' : 'gross_error' });
+  if (use !== 'rejected') return sayNamed('link-use', { use });
+  return isByUser ? say('rejected-by-hand-2') : say('rejected-as-a-gross-error');
 }
 
 /** What a step is called. */

@@ -19,6 +19,7 @@ import type {
   PairInterior,
   PairProject,
   ParallaxDeviation,
+  PhotoDifference,
   PhotoInfo,
   ReducedImage,
   OrientedPair,
@@ -141,6 +142,7 @@ export interface PairCalls {
     input: MatchInput & { interior: PairInterior | null; settings: Settings; nearest: NearestPiece[] | null };
     output: MatchResult;
   };
+  difference: { input: null; output: PhotoDifference | null };
   candidates: { input: MatchInput & { index: number; options: Settings['matching'] }; output: Float64Array };
   parallaxDeviation: {
     input: { index: number; points: Float64Array; match: Pick<MatchResult, 'rules' | 'places'>; offset: OffsetField; options: Settings['matching'] };
@@ -172,7 +174,7 @@ export interface PairCalls {
   digest: { input: { file: Blob }; output: string };
   projectOpen: { input: { bytes: Uint8Array }; output: PairProject };
   projectWrite: { input: PairProject; output: string };
-  matchesCsv: { input: { matches: Float64Array }; output: string };
+  matchesCsv: { input: { matches: Float64Array; rejected: number[] | null }; output: string };
 }
 
 export type PairClient = WorkerClient<PairCalls>;

@@ -20,6 +20,7 @@ import {
   parallax_deviation,
   parse_camera,
   parse_fiducials,
+  photo_difference,
   scaled_interior,
   score_matches,
   sha256,
@@ -131,6 +132,12 @@ function match(m: Input<'match'>): Output<'match'> {
   return match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings, m.nearest ?? undefined);
 }
 
+/** How the photos of the pair that is held lie to each other. */
+function difference(): Output<'difference'> {
+  if (held === null) throw new Error('no pair is held in this worker');
+  return photo_difference(held.left, held.right);
+}
+
 function candidatesOf({ left, right, offset, index, options }: Input<'candidates'>): Float64Array {
   if (offset === null) throw new Error('these candidates lie around an expected place');
   const none = new Float64Array();
@@ -212,6 +219,7 @@ export const PAIR_HANDLERS: Handlers<PairCalls> = {
   constantOffset: ({ dx, dy }) => constant_offset(dx, dy),
   match,
   nearest: ({ left, first, end, right }) => nearest_piece(left, first, end, right),
+  difference,
   candidates: candidatesOf,
   parallaxDeviation: ({ index, points, match: { rules, places }, offset, options }) => parallax_deviation(index, points, rules, places, offset, options),
   gradientCandidates: ({ index, left, right, most }) => gradient_candidates(index, left, right, most),
@@ -238,5 +246,5 @@ export const PAIR_HANDLERS: Handlers<PairCalls> = {
   digest: async ({ file }) => digestOf(new Uint8Array(await file.arrayBuffer())),
   projectOpen: ({ bytes }) => open_pair_project(bytes),
   projectWrite: (project) => write_pair_project(project),
-  matchesCsv: ({ matches }) => matches_csv(matches),
+  matchesCsv: ({ matches, rejected }) => matches_csv(matches, rejected),
 };

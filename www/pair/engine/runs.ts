@@ -116,6 +116,8 @@ const score: Run<StageValues['score']> = async (state, workers) => {
   });
 };
 
+const difference: Run<StageValues['difference']> = async (state, workers) => (await workers.withPair(state)).call('difference', null);
+
 export const RUNS: { readonly [S in StageName]: Run<StageValues[S]> } = {
   openLeft: open('left'),
   openRight: open('right'),
@@ -129,6 +131,7 @@ export const RUNS: { readonly [S in StageName]: Run<StageValues[S]> } = {
   interiorRight: interior('right'),
   orientation,
   score,
+  difference,
   inspection,
   line,
 };

@@ -151,9 +151,9 @@ function scoreOf(state: State) {
 }
 
 export async function exportMatches(state: State, engine: Engine): Promise<void> {
-  const { match } = shownPair(state);
+  const { match, orientation } = shownPair(state);
   if (match === null) return;
-  const text = await engine.client('pair').call('matchesCsv', { matches: match.matches });
+  const text = await engine.client('pair').call('matchesCsv', { matches: match.matches, rejected: orientation?.rejected ?? null });
   save(new Blob([text], { type: 'text/csv' }), `${baseName(state)}-matches.csv`);
 }
 

@@ -47,7 +47,7 @@ export function resting(state: State, waiting: boolean, actions: AnswerActions):
 
 function answered(state: State, actions: AnswerActions): Answer {
   const milliseconds = Object.entries(state.results).reduce(
-    (sum, [stage, result]) => sum + (stage === 'inspection' || stage === 'line' ? 0 : result.milliseconds),
+    (sum, [stage, result]) => sum + (stage === 'inspection' || stage === 'line' || stage === 'difference' ? 0 : result.milliseconds),
     0,
   );
   // A pair that was opened took none.
@@ -71,8 +71,10 @@ function answered(state: State, actions: AnswerActions): Answer {
 /** What else would do; null where the pair is oriented, or nothing is known to do better. */
 function hintFor(state: State, verdict: PairVerdict | undefined): PairHint | null {
   const none = whyNone(state);
+  const { value: difference } = (isCurrent(state, 'difference') && state.results.difference) || { value: null };
+  const { value: offset } = (isCurrent(state, 'offset') && state.results.offset) || { value: null };
   const judged = verdict ?? (none === null ? null : ({ kind: 'not_oriented', no_orientation: none } as const));
-  return state.settings === null || judged === null || isWithoutPoints(state) ? null : pair_hint(judged, state.settings);
+  return state.settings === null || judged === null || isWithoutPoints(state) ? null : pair_hint(judged, state.settings, difference, offset);
 }
 
 /** Whether an image has no points: then none were compared. */
@@ -110,7 +112,8 @@ function nextWithout(state: State, actions: AnswerActions): Next {
   if (none === null) return why;
   // Other photographs help, nothing that could be given with these.
   const { kind } = none;
-  if (kind === 'no_geometry' || kind === 'parts_of_one_image') return { text: say('open-other-photos'), act: () => actions.open(null) };
+  if (kind === 'no_geometry' || kind === 'too_few_matches' || kind === 'parts_of_one_image')
+    return { text: say('open-other-photos'), act: () => actions.open(null) };
   if (kind === 'one_photo') return { text: say('replace-the-right-image'), act: () => actions.open('right') };
   return cameraWanted({ kind: 'not_oriented', no_orientation: none }) === null ? why : cameraNext(state, actions);
 }

@@ -54,7 +54,7 @@ type Geometry = NonNullable<MatchResult['geometry']>;
 
 /** The kind of model in words: cameras whose focal length the matches gave are none that anybody calibrated. */
 export function modelText({ model: { kind }, focal }: Pick<Geometry, 'model' | 'focal'>): string {
-  return kind === 'calibrated' && focal !== null ? say('cameras-of-estimated-focal-length') : message('two_view_model', { kind }, 'label');
+  return message('two_view_model', { kind }, kind === 'calibrated' && focal !== null ? 'estimated' : 'label');
 }
 
 function figures(match: MatchResult, geometry: Geometry): Fact[] {

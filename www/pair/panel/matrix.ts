@@ -52,10 +52,10 @@ function cellOf(value: number, row: number, column: number): SVGGElement {
 
 const PLOT = 150;
 
-/** The standard error ellipse of by and bz, with the truth where it is known. */
-export function ellipsePicture(ellipse: ErrorEllipse, deviation: [number, number] | null): HTMLElement {
+/** The standard error ellipse of by and bz, dashed that of 95 %, with the truth where it is known. */
+export function ellipsePicture(ellipse: ErrorEllipse, of95: ErrorEllipse | undefined, deviation: [number, number] | null): HTMLElement {
   const { semi_major: major, semi_minor: minor, bearing_deg: angle } = ellipse;
-  const reach = Math.max(2 * major, ...(deviation ?? []).map((d) => 1.15 * Math.abs(d)));
+  const reach = Math.max((of95 ?? ellipse).semi_major, ...(deviation ?? []).map((d) => 1.15 * Math.abs(d)));
   const scale = PLOT / 2 / reach;
   const words = say('standard-error-ellipse-of-by', { major: significant(major), minor: significant(minor), angle });
   // The truth lies where the deviation is undone.
@@ -67,20 +67,30 @@ export function ellipsePicture(ellipse: ErrorEllipse, deviation: [number, number
     h(
       'figcaption',
       { title: words },
-      say('by-bz-ellipse-m-dashed', { major: significant(1000 * major), minor: significant(1000 * minor), what: deviation === null ? '' : say('cross-truth') }),
+      say('by-bz-ellipse-m', {
+        major: significant(1000 * major),
+        minor: significant(1000 * minor),
+        what: [of95 ? say('dashed-95') : '', deviation === null ? '' : say('cross-truth')].join(''),
+      }),
     ),
     svg(
       'svg',
       { viewBox: `${String(-half)} ${String(-half)} ${String(PLOT)} ${String(PLOT)}`, class: 'ellipse', role: 'img', 'aria-label': words },
       svg('path', { d: `M${String(-half)} 0h${String(PLOT)}M0 ${String(-half)}v${String(PLOT)}`, class: 'axis' }),
-      svg('ellipse', { rx: major * scale, ry: minor * scale, transform: `rotate(${String(-angle)})`, class: 'outline' }),
-      svg('ellipse', { rx: 2 * major * scale, ry: 2 * minor * scale, transform: `rotate(${String(-angle)})`, class: 'outline faint' }),
+      svg('ellipse', { ...axesOf(ellipse, scale), class: 'outline' }),
+      ...(of95 ? [svg('ellipse', { ...axesOf(of95, scale), class: 'outline faint' })] : []),
       ...truth,
       svg('text', { x: half - 16, y: -5, class: 'matrix-name' }, 'by'),
       svg('text', { x: 12, y: -half + 12, class: 'matrix-name' }, 'bz'),
     ),
   );
 }
+
+const axesOf = ({ semi_major: major, semi_minor: minor, bearing_deg: angle }: ErrorEllipse, scale: number) => ({
+  rx: major * scale,
+  ry: minor * scale,
+  transform: `rotate(${String(-angle)})`,
+});
 
 function cross(x: number, y: number): string {
   return `M${String(x - 5)} ${String(y - 5)}l10 10M${String(x + 5)} ${String(y - 5)}l-10 10`;

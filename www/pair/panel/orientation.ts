@@ -274,5 +274,10 @@ function pictures(state: State, result: RelativeOrientation): HTMLElement {
   const truth = truthFor(state, result);
   const deviation: [number, number] | null = truth === null || Number.isNaN(truth.by_mm) ? null : [result.by_mm - truth.by_mm, result.bz_mm - truth.bz_mm];
   const ellipse = result.base_ellipse_mm;
-  return h('div', { class: 'precision-pictures' }, correlationPicture(result), ellipse === null ? null : ellipsePicture(ellipse, deviation));
+  return h(
+    'div',
+    { class: 'precision-pictures' },
+    correlationPicture(result),
+    ellipse === null ? null : ellipsePicture(ellipse, result.base_ellipse_95_mm ?? undefined, deviation),
+  );
 }

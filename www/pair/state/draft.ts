@@ -4,7 +4,7 @@ import { remember } from '../../shared/state/remember';
 import { BY_HAND, MATCHED } from './codes';
 import { editedPair, placeOfLeft, targetOfLeft } from './edited';
 import type { Edited } from './edited';
-import { freshNumber } from './edits';
+import { exchangedTarget, freshNumber } from './edits';
 import type { Edit, Place } from './edits';
 import { isCurrent } from './keys';
 import { roundedPx } from '../../shared/state/pane';
@@ -85,6 +85,11 @@ export function moving(state: State): Draft | null {
   if (target === null || (rule !== MATCHED && rule !== BY_HAND)) return null;
   const [xl, yl, xr, yr] = placeOfLeft(edited, left);
   return { of: target, places: { left: [xl, yl], right: [xr, yr] }, side: state.selection?.side === 'left' ? 'right' : (state.selection?.side ?? 'right') };
+}
+
+/** The draft of exchanged images. */
+export function exchangedDraft({ of, places, side }: Draft): Draft {
+  return { of: of === null ? null : exchangedTarget(of), places: { left: places.right, right: places.left }, side: otherSide(side) };
 }
 
 /** Whether the point that is placed now lies where it is expected: nobody has measured it yet. */

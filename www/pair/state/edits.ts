@@ -92,20 +92,25 @@ export function nameOfEdit(edit: Edit): string {
   }
 }
 
+const exchangedPlace = ([xl, yl, xr, yr]: Place): Place => [xr, yr, xl, yl];
+
+/** The match of exchanged images that an edit is about. */
+export function exchangedTarget(of: Target): Target {
+  return typeof of === 'number' ? of : exchangedPlace(of);
+}
+
 /** The edits of exchanged images. */
 export function exchanged({ edits, done }: History<Edit>): History<Edit> {
   if (edits.length === 0) return NO_HISTORY;
-  const place = ([xl, yl, xr, yr]: Place): Place => [xr, yr, xl, yl];
-  const target = (of: Target): Target => (typeof of === 'number' ? of : place(of));
   const other = (edit: Edit): Edit => {
     switch (edit.kind) {
       case 'reject':
       case 'restore':
-        return { kind: edit.kind, of: edit.of.map(target) };
+        return { kind: edit.kind, of: edit.of.map(exchangedTarget) };
       case 'add':
-        return { ...edit, at: place(edit.at) };
+        return { ...edit, at: exchangedPlace(edit.at) };
       case 'move':
-        return { kind: 'move', of: target(edit.of), to: place(edit.to) };
+        return { kind: 'move', of: exchangedTarget(edit.of), to: exchangedPlace(edit.to) };
     }
   };
   return { edits: edits.map(other), done };

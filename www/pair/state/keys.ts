@@ -86,6 +86,13 @@ function withoutBase(state: State, match: string | null): boolean {
   return result !== undefined && result.key === match && (result.value.geometry?.degenerate === 'pure-rotation' || oneImage(state) !== null);
 }
 
+/** Whether matches are there, and no orientation of them that nothing speaks against. */
+function isPoor({ results, failures }: State, match: string | null, orientation: string | null): boolean {
+  if (match === null || results.match?.key !== match) return false;
+  if (orientation === null || failures.orientation?.key === orientation) return true;
+  return results.orientation?.key === orientation && results.orientation.value.verdict.kind !== 'oriented';
+}
+
 function openKey(state: State, side: Side): string | null {
   const image = state.images[side];
   return image === null ? null : keyOf('open', [], image.id);
@@ -157,6 +164,7 @@ function compute(state: State): Computed {
     interiorRight,
     orientation: orientation(edited),
     score: keyOf('score', [edited, truth === null ? null : ''], [truth?.leftId, truth?.rightId]),
+    difference: gradients || !isPoor(state, match, orientation(edited)) ? null : keyOf('difference', [openLeft, openRight]),
     line: keyOf('line', [match, state.draft === null ? null : ''], knownOfDraft(state)),
     inspection: keyOf('inspection', [placed ? edited : match, state.selection === null ? null : ''], [state.selection, settings?.window]),
   };

@@ -1,9 +1,11 @@
 /** Why the pair on the screen has no orientation. */
+import { few_matches } from '../../shared/crate';
 import type { NoOrientation } from '../../shared/crate';
 import { pairCameras } from './cameras';
 import { interiorInUse } from './interior';
 import { isCurrent, wantedKeys } from './keys';
 import { oneImage } from './one-image';
+import { shownPair } from './select';
 import type { StageFailure, State } from './state';
 
 /**
@@ -23,6 +25,8 @@ export function whyNone(state: State): NoOrientation | null {
   if (match?.no_geometry != null) return { kind: 'no_geometry', no_geometry: match.no_geometry };
   const one = match === undefined ? null : oneImage(state);
   if (one !== null) return one;
+  const few = match === undefined ? null : few_matches((shownPair(state).match ?? match).counts.matches);
+  if (few !== null) return few;
   if (missing !== null) return missing;
   if (match?.geometry?.degenerate === 'pure-rotation') return { kind: 'pure_rotation' };
   const error = failureOf(state)?.error ?? null;

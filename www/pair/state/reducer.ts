@@ -3,12 +3,13 @@ import type { Action } from './actions';
 import { editedPair, keptText } from './edited';
 import { recorded, wentTo } from '../../shared/state/history';
 import type { History } from '../../shared/state/history';
+import { exchangedDraft } from './draft';
 import { exchanged } from './edits';
 import type { Edit } from './edits';
 import { isCurrent, runKey } from './keys';
 import { withKept } from './kept';
 import { withFiles, withProject } from './project';
-import { exchangedPair } from './shelf';
+import { exchangedPair, measuredOn } from './shelf';
 import { INITIAL, TYPED_PARTS, UNEDITED } from './state';
 import type { Display, PhotoData, Results, Side, StageName, State, TypedPart } from './state';
 
@@ -265,6 +266,7 @@ function swapped(state: State): State {
     views: { left: state.views.right, right: state.views.left },
     ...UNEDITED,
     history: exchanged(state.history),
+    ...measuredOn(state.draft === null ? null : exchangedDraft(state.draft), state.tool),
     selection: null,
     failures: {},
     paused: false,

@@ -27,6 +27,7 @@ export const STAGES: Readonly<Record<StageName, StageInfo>> = {
   interiorRight: { label: say('interior-orientation-right'), worker: 'pair', needs: ['openRight'] },
   orientation: { label: say('relative-orientation-2'), worker: 'pair', needs: ['match', 'interiorLeft', 'interiorRight'] },
   score: { label: say('comparing-with-the-truth'), worker: 'pair', needs: ['match'] },
+  difference: { label: say('comparing-how-the-photos-lie'), worker: 'pair', needs: ['openLeft', 'openRight'] },
   line: { label: say('looking-where-the-point-may'), worker: 'pair', needs: ['match'] },
   inspection: { label: say('loading-the-selected-point'), worker: 'pair', needs: ['match'] },
 };

@@ -14,6 +14,7 @@ import type {
   MatchScore,
   OffsetField,
   Settings,
+  PhotoDifference,
   PhotoInfo,
   OrientedPair,
   ParallaxDeviation,
@@ -135,6 +136,8 @@ export interface StageValues {
   interiorRight: InteriorOutput;
   orientation: OrientedPair;
   score: MatchScore;
+  /** How the photos lie to each other in their planes; null where they do not match. */
+  difference: PhotoDifference | null;
   inspection: Inspection;
   /** Where the point that is measured may lie; null where no geometry of the two views is known. */
   line: SeenAt | null;

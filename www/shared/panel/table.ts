@@ -1,7 +1,7 @@
 /** A table of any length: sorted by any of its columns, searched, chosen from by mouse and keys, and saved as it is shown. */
 import { save } from '../files/save';
 import { conditionOf, conditionText, csvOf, keeping, ordered, tabbedOf, totalOf } from '../state/rows';
-import type { Column, Filter, Order, Total } from '../state/rows';
+import type { Column, Filter, Order, Part, Total } from '../state/rows';
 import { count as counted, fixed } from '../text/format';
 import { fill, h } from './dom';
 import { RowsInSight, sortHead } from './rows';
@@ -271,14 +271,24 @@ export class Table {
     if (this.bar === null) return;
     const fewer = this.shown.length < this.count;
     this.bar.say(this.shown.length, this.count, filtered || fewer, filtered || (fewer && this.options.showAll !== undefined));
-    const cells = this.columns.map((column) => {
+    const parts = this.columns.flatMap((column) => (column.parts ?? []).map((part) => ({ column, part, rows: this.shown.filter(part.has) })));
+    const lines = parts.length === 0 ? [this.totals(this.shown)] : parts.filter(({ rows }) => rows.length > 0).map((of) => this.totals(of.rows, of));
+    fill(this.table.foot, ...lines.filter((cells) => cells.some((cell) => cell.textContent !== '')).map((cells) => h('tr', {}, ...cells)));
+  }
+
+  /** A line of the foot: what these rows have together. */
+  private totals(rows: Uint32Array, named: { column: Column; part: Part } | null = null): HTMLElement[] {
+    return this.columns.map((column) => {
       const { total, value, text } = column;
-      if (total === undefined || this.shown.length === 0) return h('td', {});
-      const number = totalOf(column, this.shown);
+      if (column === named?.column) return h('td', {}, named.part.label);
+      if (total === undefined || rows.length === 0) return h('td', {});
+      const number = totalOf(column, rows);
+      // Columns of one part say nothing of the others.
+      if (named !== null && Number.isNaN(number)) return h('td', {});
       // With as many decimals as the figures have, a mean of whole numbers with one.
       const digits = Math.max(
         total === 'sum' ? 0 : 1,
-        ...[...this.shown.subarray(0, 20)].filter((row) => !Number.isNaN(value(row))).map((row) => decimals(text(row))),
+        ...[...rows.subarray(0, 20)].filter((row) => !Number.isNaN(value(row))).map((row) => decimals(text(row))),
       );
       return h(
         'td',
@@ -287,7 +297,6 @@ export class Table {
         digits === 0 ? counted(Number.isNaN(number) ? null : Math.round(number)) : fixed(number, digits),
       );
     });
-    fill(this.table.foot, cells.every((cell) => cell.textContent === '') ? null : h('tr', {}, ...cells));
   }
 
   private row(row: number, place: number): HTMLElement {

@@ -13,6 +13,13 @@ export interface Column {
   words?: boolean;
   /** What the foot of the table says of the rows that are shown; figures are those of `value`. */
   total?: Total;
+  /** The foot has a line for each of these parts of the rows, with its name in this column; rows of no part are in none. */
+  parts?: readonly Part[];
+}
+
+export interface Part {
+  label: string;
+  has: (row: number) => boolean;
 }
 
 export type Total = 'sum' | 'mean' | 'rms';

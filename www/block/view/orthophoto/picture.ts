@@ -112,6 +112,8 @@ export abstract class LinkPicture implements Zoomable {
     if (box === null || width < 2 * EDGE || height < 2 * EDGE) return;
     const t = this.current(box);
     const [x, y] = toCanvas(t, ...at);
+    // What is shown whole stays so, whatever size its canvas gets: moved by an edge it would be cut there from then on.
+    if (this.moved === null && x >= 0 && y >= 0 && x <= width && y <= height) return;
     const [dx, dy] = [into(x, width), into(y, height)];
     if (dx !== 0 || dy !== 0) this.move(panned(t, dx, dy));
   }

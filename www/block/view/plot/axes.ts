@@ -7,6 +7,60 @@ import { say } from '../../../shared/text/words';
 /** Room of labels and ticks about the values, CSS px. */
 export const ROOM = { left: 64, right: 16, top: 14, bottom: 40 } as const;
 
+/** Names that stand upright are no longer than this, and no nearer to each other, CSS px. */
+const UPRIGHT = { most: 96, apart: 13 } as const;
+/** Between names that lie beside each other, CSS px. */
+const BETWEEN = 8;
+/** A line of the legend, what stands before each of its entries, and between them, CSS px. */
+export const LEGEND = { line: 16, mark: 16, between: 14 } as const;
+
+export interface Entry {
+  text: string;
+  /** Index of its group; that of the whiskers is beyond all. */
+  group: number;
+  x: number;
+  line: number;
+}
+
+/** How the values lie in a picture: the room about them, whether names stand upright, and where the entries of the legend are. */
+export interface Laid {
+  room: { left: number; right: number; top: number; bottom: number };
+  upright: boolean;
+  legend: readonly Entry[];
+}
+
+/** `measure`: how long a text is, CSS px. */
+export function laidOut({ x, groups, whiskers }: PlotData, width: number, measure: (text: string) => number): Laid {
+  const across = Math.max(1, width - ROOM.left - ROOM.right);
+  const widest = (x.names ?? []).reduce((most, name) => Math.max(most, measure(name)), 0);
+  const upright = x.names !== undefined && widest + BETWEEN > across / Math.max(1, x.names.length);
+  const texts = groups === undefined ? [] : [...groups.kinds.map(({ label }) => label), ...(whiskers === undefined ? [] : [say('whiskers-of-95')])];
+  let [at, line] = [0, 0];
+  const legend = texts.map((text, group) => {
+    const wide = LEGEND.mark + measure(text);
+    if (at > 0 && at + wide > across) [at, line] = [0, line + 1];
+    const entry = { text, group, x: ROOM.left + at, line };
+    at += wide + LEGEND.between;
+    return entry;
+  });
+  const lines = legend.length === 0 ? 0 : line + 1;
+  return {
+    room: { ...ROOM, top: ROOM.top + LEGEND.line * lines, bottom: ROOM.bottom + (upright ? Math.min(UPRIGHT.most, widest) - 10 : 0) },
+    upright,
+    legend,
+  };
+}
+
+/** The names that are written beside an axis with so many px between them: all that have room; else every third, fifth and so on, so that what comes in turns has its names in turns. */
+export function namesWritten([from, to]: Ends, names: readonly string[], apart: number): number[] {
+  const needed = Math.ceil(UPRIGHT.apart / Math.max(1e-9, apart));
+  const step = needed % 2 === 0 ? needed + 1 : needed;
+  return Array.from(names.keys()).filter((at) => at % step === 0 && at >= from && at <= to);
+}
+
+/** Longest name that stands upright, CSS px. */
+export const UPRIGHT_MOST = UPRIGHT.most;
+
 /** Values at the two ends of an axis. */
 export type Ends = readonly [from: number, to: number];
 
@@ -14,9 +68,11 @@ export type Ends = readonly [from: number, to: number];
 const BESIDE = 0.04;
 
 /** The ends of both axes: bars stand on zero, places of a list have room on both sides, logarithmic ones are powers of ten. */
-export function endsOf({ x, y, bars, square }: PlotData, width: number, height: number): { x: Ends; y: Ends } {
+export function endsOf({ x, y, bars, square, groups, whiskers }: PlotData, width: number, height: number): { x: Ends; y: Ends } {
   const across: Ends = x.names === undefined ? spread(x.values) : [-0.5, Math.max(0, x.names.length - 1) + 0.5];
-  const up = spread(y.logarithmic === true ? y.values.map(Math.log10) : y.values, bars);
+  const values = whiskers === undefined ? y.values : Float64Array.from([...y.values, ...whiskers.from, ...whiskers.to]);
+  // Differences of groups are compared with zero.
+  const up = spread(y.logarithmic === true ? values.map(Math.log10) : values, bars || groups !== undefined);
   if (!square) return { x: across, y: up };
   // The same length of both for the same value, about zero.
   const most = Math.max(...across.map(Math.abs), ...up.map(Math.abs));

@@ -3,7 +3,9 @@ import type { Colours } from '../../../shared/view/colours';
 import { within } from '../../../shared/view/layers';
 import { toCanvas, toPosition } from '../../../shared/view/transform';
 import type { Rect, Transform } from '../../../shared/view/transform';
+import { asSentence } from '../../../shared/text/direction';
 import { fixed } from '../../../shared/text/format';
+import { remember } from '../../../shared/state/remember';
 import type { BlockStore } from '../../engine/engine';
 import type { Facts } from '../../engine/facts';
 import { plotOf } from '../../state/plots';
@@ -13,8 +15,8 @@ import type { BlockView } from '../../state/view';
 import { Chart } from '../chart';
 import type { Drawn } from '../chart';
 import type { Looking } from '../looking';
-import { decimalsOf, endsOf, ROOM, ticksBetween, ticksOfPowers, titleOf, titleWithin } from './axes';
-import type { Ends } from './axes';
+import { decimalsOf, endsOf, laidOut, LEGEND, namesWritten, ROOM, ticksBetween, ticksOfPowers, titleOf, titleWithin, UPRIGHT_MOST } from './axes';
+import type { Ends, Laid } from './axes';
 import { withUnit } from '../../../shared/text/units';
 
 /** How near the pointer must be to a point, CSS px. */
@@ -27,6 +29,9 @@ const FEW = 3000;
 const FONT = '11px system-ui, sans-serif';
 /** What is infinite stands so far below the upper edge, CSS px. */
 const INSIDE = 4;
+/** Half a mark of a group, and half the end of a whisker, CSS px. */
+const MARK = 4;
+const CAP = 3;
 /** Bars leave so much of their place free. */
 const GAP = 0.25;
 
@@ -121,9 +126,14 @@ export class Plot extends Chart {
     return false;
   }
 
-  private area(): Rect {
+  private laid(data: PlotData): Laid {
+    return laidWithin(data, this.layers.width);
+  }
+
+  private area(data: PlotData): Rect {
     const { width, height } = this.layers;
-    return { left: ROOM.left, top: ROOM.top, width: Math.max(1, width - ROOM.left - ROOM.right), height: Math.max(1, height - ROOM.top - ROOM.bottom) };
+    const { left, right, top, bottom } = this.laid(data).room;
+    return { left, top, width: Math.max(1, width - left - right), height: Math.max(1, height - top - bottom) };
   }
 
   /** Where values lie on the canvas. */
@@ -133,7 +143,7 @@ export class Plot extends Chart {
   }
 
   private scaling(data: PlotData, t: Transform): (x: number, y: number) => [number, number] {
-    const { left, top, width, height } = this.area();
+    const { left, top, width, height } = this.area(data);
     const ends = endsOf(data, this.layers.width, this.layers.height);
     const [x0, across] = [ends.x[0], width / (ends.x[1] - ends.x[0])];
     const [y0, up] = [ends.y[0], height / (ends.y[1] - ends.y[0])];
@@ -144,7 +154,7 @@ export class Plot extends Chart {
 
   /** The values at the edges of what is seen. */
   private seen(data: PlotData, t: Transform): { x: Ends; y: Ends } {
-    const { left, top, width, height } = this.area();
+    const { left, top, width, height } = this.area(data);
     const ends = endsOf(data, this.layers.width, this.layers.height);
     const value = (x: number, y: number): [number, number] => {
       const [u, v] = toPosition(t, x, y);
@@ -166,10 +176,12 @@ export class Plot extends Chart {
 
   private nearest(data: PlotData, t: Transform, x: number, y: number): number {
     const place = this.placing(data, t);
-    let [found, least] = [-1, data.bars ? this.barWidth(data, t) / 2 + 2 : REACH];
+    // One value a place is met anywhere over its name.
+    const alone = data.bars || data.groups !== undefined;
+    let [found, least] = [-1, alone ? this.barWidth(data, t) / 2 + 2 : REACH];
     for (let row = 0; row < data.x.values.length; row++) {
       const [px, py] = place(row);
-      const distance = data.bars ? Math.abs(px - x) : Math.hypot(px - x, py - y);
+      const distance = alone ? Math.abs(px - x) : Math.hypot(px - x, py - y);
       if (distance <= least) [found, least] = [row, distance];
     }
     return found;
@@ -179,8 +191,9 @@ export class Plot extends Chart {
     const data = this.data();
     context.font = FONT;
     if (data === null || data.x.values.length === 0) return;
-    const area = this.area();
+    const area = this.area(data);
     this.paintAxes(context, colours, data, t, area);
+    this.paintLegend(context, colours, data);
     within(context, area, () => this.paintValues(context, colours, data, t, area));
     if (this.outline?.to != null) {
       const [[x0, y0], [x1, y1]] = [this.outline.from, this.outline.to];
@@ -195,7 +208,8 @@ export class Plot extends Chart {
     const at = this.scaling(data, t);
     const seen = this.seen(data, t);
     const { names } = data.x;
-    const across = ticksBetween(seen.x, width / APART.x).filter((tick) => names === undefined || names[tick] !== undefined);
+    const { upright } = this.laid(data);
+    const across = names === undefined ? ticksBetween(seen.x, width / APART.x) : namesWritten(seen.x, names, at(1, 0)[0] - at(0, 0)[0]);
     const isLogarithmic = data.y.logarithmic === true;
     const most = Math.max(LEAST_TICKS, height / APART.y);
     const up = isLogarithmic ? ticksOfPowers(seen.y, most) : ticksBetween(seen.y, most);
@@ -215,22 +229,42 @@ export class Plot extends Chart {
     for (const tick of across) {
       const [x] = at(tick, 0);
       if (names === undefined) line(context, [x, top], [x, top + height]);
-      context.textAlign = 'center';
-      context.fillText(shortened(context, names?.[tick] ?? fixed(tick, digitsX), APART.x - 8), x, top + height + 10);
+      if (upright) upwards(context, shortened(context, names?.[tick] ?? '', UPRIGHT_MOST), x, top + height + 6);
+      else {
+        context.textAlign = 'center';
+        context.fillText(names?.[tick] ?? fixed(tick, digitsX), x, top + height + 10);
+      }
     }
     context.strokeStyle = colours.muted;
+    if (data.groups !== undefined) within(context, { left, top, width, height }, () => line(context, [left, at(0, 0)[1]], [left + width, at(0, 0)[1]]));
     context.strokeRect(left, top, width, height);
     context.fillStyle = colours.text;
     context.textAlign = 'center';
     const [titleX, titleY] = [titleOf(data.x), titleOf(data.y)];
     const x = titleWithin(context.measureText(titleX).width, left + width / 2, this.layers.width);
-    context.fillText(titleX, x.middle, top + height + 28, x.most);
+    context.fillText(titleX, x.middle, this.layers.height - ROOM.bottom + 28, x.most);
     const y = titleWithin(context.measureText(titleY).width, top + height / 2, this.layers.height);
     context.save();
     context.translate(12, y.middle);
     context.rotate(-Math.PI / 2);
     context.fillText(titleY, 0, 0, y.most);
     context.restore();
+  }
+
+  /** What the marks and the whiskers are. */
+  private paintLegend(context: CanvasRenderingContext2D, colours: Colours, data: PlotData): void {
+    const { groups } = data;
+    if (groups === undefined) return;
+    for (const { text, group, x, line: below } of this.laid(data).legend) {
+      const [middle, y] = [x + 5, ROOM.top / 2 + 4 + below * LEGEND.line];
+      const mark = groups.kinds[group]?.mark;
+      if (mark === undefined) paintWhisker(context, colours.text, middle, y - 6, y + 6);
+      else paintMark(context, mark, colourOf(mark, colours), colours.surface, middle, y, MARK);
+      context.fillStyle = colours.text;
+      context.textAlign = 'left';
+      context.textBaseline = 'middle';
+      context.fillText(asSentence(text), x + LEGEND.mark, y);
+    }
   }
 
   private paintValues(context: CanvasRenderingContext2D, colours: Colours, data: PlotData, t: Transform, area: Rect): void {
@@ -241,9 +275,17 @@ export class Plot extends Chart {
     const width = this.barWidth(data, t);
     const base = data.bars ? this.base(data, t) : 0;
     const half = rows <= FEW ? 2.5 : 1.5;
-    const draw = (row: number, larger: number) => {
+    const { groups, whiskers } = data;
+    const at = this.scaling(data, t);
+    const draw = (row: number, larger: number, colour?: string) => {
       const [x, y] = place(row);
-      if (data.bars) context.fillRect(x - width / 2, Math.min(y, base), width, Math.max(1, Math.abs(base - y)));
+      if (groups !== undefined) {
+        const mark = groups.kinds[groups.of(row)]?.mark ?? 'square';
+        const own = colour ?? colourOf(mark, colours);
+        const [from, to] = [whiskers?.from[row] ?? NaN, whiskers?.to[row] ?? NaN];
+        if (!Number.isNaN(from)) paintWhisker(context, own, x, at(0, from)[1], at(0, to)[1]);
+        paintMark(context, mark, own, colours.surface, x, y, MARK + larger);
+      } else if (data.bars) context.fillRect(x - width / 2, Math.min(y, base), width, Math.max(1, Math.abs(base - y)));
       else if (x > area.left - 4 && y > area.top - 4 && x < area.left + area.width + 4 && y < area.top + area.height + 4)
         context.fillRect(x - half - larger, y - half - larger, 2 * (half + larger), 2 * (half + larger));
     };
@@ -253,7 +295,7 @@ export class Plot extends Chart {
     context.fillStyle = colours.problem;
     let under = -1;
     for (let row = 0; row < rows; row++) {
-      if (chosen !== null && isChosen(row)) draw(row, 1);
+      if (chosen !== null && isChosen(row)) draw(row, 1, colours.problem);
       if (under < 0 && pointed !== null && isPointed(row)) under = row;
     }
     context.strokeStyle = colours.problem;
@@ -274,11 +316,12 @@ export class Plot extends Chart {
   }
 
   /** What the value under the pointer is. */
-  private paintValue(context: CanvasRenderingContext2D, colours: Colours, { x, y }: PlotData, row: number, [px, py]: [number, number], area: Rect): void {
+  private paintValue(context: CanvasRenderingContext2D, colours: Colours, { x, y, said }: PlotData, row: number, [px, py]: [number, number], area: Rect): void {
     const value = ({ unit, values, names }: PlotData['x']) => names?.[Math.round(values[row] ?? NaN)] ?? withUnit(figure(values[row] ?? NaN), unit);
-    const text = `${value(x)}: ${value(y)}`;
+    const text = said === undefined ? `${value(x)}: ${value(y)}` : asSentence(said(row));
     const wide = context.measureText(text).width + 12;
-    const left = Math.max(area.left, Math.min(px + 8, area.left + area.width - wide));
+    // One that is longer than the picture begins at its edge.
+    const left = Math.max(Math.min(area.left, this.layers.width - wide), 0, Math.min(px + 8, area.left + area.width - wide));
     const top = Math.max(area.top, Math.min(py - 24, area.top + area.height - 20));
     context.fillStyle = colours.surface;
     context.fillRect(left, top, wide, 18);
@@ -291,6 +334,59 @@ export class Plot extends Chart {
     context.fillText(text, left + 6, top + 9);
   }
 }
+
+type Mark = NonNullable<PlotData['groups']>['kinds'][number]['mark'];
+
+function colourOf(mark: Mark, colours: Colours): string {
+  return mark === 'square' ? colours.text : colours.accent;
+}
+
+/** `half`: half its width. An outline is the triangle without what is in it. */
+function paintMark(context: CanvasRenderingContext2D, mark: Mark, colour: string, ground: string, x: number, y: number, half: number): void {
+  context.beginPath();
+  if (mark === 'square') context.rect(x - half, y - half, 2 * half, 2 * half);
+  else {
+    context.moveTo(x, y - half - 1);
+    context.lineTo(x + half + 1, y + half);
+    context.lineTo(x - half - 1, y + half);
+    context.closePath();
+  }
+  context.fillStyle = mark === 'outline' ? ground : colour;
+  context.fill();
+  context.strokeStyle = colour;
+  context.lineWidth = 1;
+  context.stroke();
+}
+
+function paintWhisker(context: CanvasRenderingContext2D, colour: string, x: number, from: number, to: number): void {
+  context.strokeStyle = colour;
+  context.lineWidth = 1;
+  line(context, [x, from], [x, to]);
+  for (const end of [from, to]) line(context, [x - CAP, end], [x + CAP, end]);
+}
+
+/** A text that reads upwards and ends below a place. */
+function upwards(context: CanvasRenderingContext2D, text: string, x: number, y: number): void {
+  context.save();
+  context.translate(x, y);
+  context.rotate(-Math.PI / 2);
+  context.textAlign = 'right';
+  context.fillText(text, 0, 0);
+  context.restore();
+}
+
+let ruler: CanvasRenderingContext2D | null = null;
+
+/** How long a text of the plot is, CSS px. */
+function measured(text: string): number {
+  ruler ??= document.createElement('canvas').getContext('2d');
+  if (ruler === null) return 0;
+  ruler.font = FONT;
+  return ruler.measureText(text).width;
+}
+
+/** Names are measured once, not whenever the pointer moves. */
+const laidWithin = remember((data: PlotData, width: number) => laidOut(data, width, measured));
 
 function line(context: CanvasRenderingContext2D, from: readonly [number, number], to: readonly [number, number]): void {
   context.beginPath();

@@ -240,6 +240,8 @@ agisoft = Agisoft
 csv-tables = جداول CSV
 format = الصيغة
 orthomosaic-geotiff = الموزاييك المصحح (GeoTIFF)
+chosen-images-on-the-ground = الصور المختارة على الأرض (GeoTIFF)
+choose-one-or-more-images = اختر صورة واحدة أو أكثر أولًا.
 pixel-of-the-orthomosaic = ضلع بكسل الموزاييك المصحح بوحدات الكتلة؛ فارغ: ضلع بكسل الصور
 pixel-as-the-images = البكسل: كالصور
 writing = تجري كتابة { $names } …
@@ -258,6 +260,7 @@ add-images = إضافة صور …
 close = إغلاق { $own }
 the-file-of-this-image = ملف هذه الصورة غير مفتوح: لا يحوي المشروع صوره.
 this-image-cannot-be-decoded = لا يمكن فك ترميز هذه الصورة.
+the-place-on-the-orthophoto = الموضع الذي يُقاس على الصورة المصححة، تحت علامة التقاطع
 rejected-gross-error = مرفوضة: خطأ جسيم
 rejected-behind-the-image = مرفوضة: خلف الصورة
 rejected-its-point-has-too = مرفوضة: أشعة نقطتها قليلة
@@ -577,6 +580,9 @@ check-points-rmse = نقاط التحقق، RMSE
 predicted = ، { FIXED($ratio, digits: 2) } من الأخطاء المعيارية المتوقعة
 m-points = { $join } م، عدد النقاط { COUNT($points) }{ $what }
 root-mean-square-difference-of = الجذر التربيعي لمتوسط مربعات فروق x وy وz بين نقاط التحقق المضبوطة والممسوحة التي لم تشارك إحداثياتها (وشاركت قياساتها الصورية كقياسات نقاط الربط)، بالأمتار على محاور نظام إحداثيات النتائج؛ ثم الشيء نفسه مقسومًا على الأخطاء المعيارية المتوقعة، نحو 1 حيث تصح.
+check-points-mean = نقاط التحقق، المتوسط
+mean-m = { $join } م
+mean-difference-of-check-points = متوسط فروق x وy وz بين إحداثيات نقاط التحقق المضبوطة والمعطاة، بالأمتار على محاور نظام إحداثيات النتائج. المتوسط الكبير مقارنة بالجذر التربيعي لمتوسط المربعات إزاحة تشترك فيها كلها.
 images-oriented-3 = الصور الموجَّهة
 of-4 = { COUNT($oriented) } من { COUNT($images) }
 images-with-an-exterior-orientation = الصور ذات التوجيه الخارجي: الموضع والوضعية في فضاء الجسم.
@@ -662,6 +668,13 @@ images-or-settings-have-changed = تغيرت الصور أو الإعدادات:
 open-the-images-of-a = افتح صور كتلة: ملفات أو مجلدًا أو كتلة محاكاة.
 photos-oriented = صور موجَّهة
 points-on-several-photos = نقاط في عدة صور
+rmse-of-check-points = { $points ->
+    [one] نقطة تحقق واحدة، RMSE أفقيًا · ارتفاعًا
+    [two] نقطتا تحقق، RMSE أفقيًا · ارتفاعًا
+    [few] { COUNT($points) } نقاط تحقق، RMSE أفقيًا · ارتفاعًا
+   *[other] { COUNT($points) } نقطة تحقق، RMSE أفقيًا · ارتفاعًا
+}
+plan-and-height-m = { FIXED($plan, digits: 3) } · { FIXED($height, digits: 3) } م
 control-places-the-block = تقع الكتلة حيث تضعها نقاط ضبطها. ويمكن وضعها على الصورة المصححة أيضًا.
 a-block-on-an-orthophoto = يمكن وضع الكتلة عليها: تقع عندئذ في نظامها دون نقطة ضبط.
 place-the-block-on-the = وضع الكتلة على الصورة المصححة
@@ -731,6 +744,7 @@ coordinate-in-system = ‏{ $axis } في { $name }، النظام المرجعي
 in-the-unit-and-the = ‏{ $axis } كما يعطيه الملف، بوحدته وفي نظامه.
 adjusted-minus-surveyed = المضبوط ناقص الممسوح، { $axis }.
 standard-error-of = الخطأ المعياري لـΔ{ $axis }‎.
+difference-by-standard-error = فرق { $axis } مقسومًا على خطئه المعياري المتوقع؛ ولنقطة الضبط فرقها وهي مستبعدة حيث يُعرف. ما تجاوز 2 أكبر من المتوقع، وما تجاوز 3 نادرًا ما يكون مصادفة.
 difference-left-out = ‏Δ{ $axis }‎ دونها
 where-the-other-observations-have = لنقطة الضبط: { $axis } حيث تضعه الأرصاد الأخرى دون إحداثياتها هي، ناقص الممسوح: قيمتها لو كانت نقطة تحقق.
 standard-error-left-out = ‏σ Δ{ $axis }‎ دونها
@@ -814,6 +828,13 @@ standard-error-in-plan = الخطأ المعياري الأفقي
 standard-error-in-height = الخطأ المعياري الارتفاعي
 adjusted-minus-surveyed-place = الموضع المضبوط ناقص الممسوح
 adjusted-minus-surveyed-height = الارتفاع المضبوط ناقص الممسوح
+control-point-left-out = نقطة ضبط مستبعدة
+control-point-adjusted = نقطة ضبط مشاركة في الضبط
+whiskers-of-95 = ± 1.96 خطأ معياري
+surveyed-value = { $name }، { $kind }: { FIXED($difference, digits: 3) }{ $known ->
+    [yes] {" "}م، σ { FIXED($error, digits: 3) } م، Δ/σ { FIXED($ratio, digits: 1) }
+   *[no] {" "}م
+}
 residual-vx = المتبقي vx
 residual-vy = المتبقي vy
 w-of-normal-errors = ‏w لأخطاء موزعة توزيعًا طبيعيًا
@@ -929,6 +950,12 @@ so-many-pairs = { $pairs ->
 one-surveyed-point = نقطة ضبط أرضي أو تحقق واحدة
 in-image = {" "}في { $name }
 rejected-as-a-gross-error = مرفوض خطأً جسيمًا
+link-measured-by-hand = مقيس يدويًا، { $use ->
+        [used] مستعمل
+        [check] تحقق
+        [by_hand] مرفوض يدويًا
+       *[gross_error] مرفوض خطأً جسيمًا
+    }
 add-a-link = إضافة رابط
 link-2 = { $kind ->
         [reject] رفض

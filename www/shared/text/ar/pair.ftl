@@ -310,7 +310,6 @@ geometry-of-the-two-views = هندسة المشهدين
 not-computed-yet = لم تُحسب بعد.
 none = لا شيء: { $message }.
 model = النموذج
-cameras-of-estimated-focal-length = كاميرتان قُدّر بعدهما البؤري من المطابقات
 matches-that-agree = المطابقات المتفقة
 all-others-are-rejected-matches = كل ما سواها مرفوض. ومنها مطابقات لم يزل التباسها إلا بالهندسة.
 standard-error-of-a-coordinate = الخطأ المعياري للإحداثي
@@ -335,9 +334,10 @@ and = { $symbol } و{ $symbol_2 } { FIXED($correlations, digits: 2) }
 from-the-inverse-of-the = من معكوس المعادلات الناظمة: قرب ±1 لا يكاد مجهولان ينفصلان، وينتقل خطأ أحدهما إلى الآخر.
 correlations-of-the-unknowns = ارتباطات المجاهيل
 correlations = الارتباطات: { $join }
-standard-error-ellipse-of-by = قطع الخطأ المعياري للمركبتين by وbz: { $major } في { $minor } مم، ومحوره الأطول على { FIXED($angle, digits: 0) } درجة من by
+standard-error-ellipse-of-by = قطع الخطأ المعياري للمركبتين by وbz: نصفا محوريه { $major } و{ $minor } مم، ومحوره الأطول على { FIXED($angle, digits: 0) } درجة من by
 cross-truth = ؛ العلامة المتصالبة: الحقيقة
-by-bz-ellipse-m-dashed = ‏by، bz: القطع { $major } × { $minor } ميكرومتر؛ المتقطع: ضعفه، أي خطآن معياريان{ $what }
+by-bz-ellipse-m = ‏by، bz: قطع الخطأ المعياري، نصفا محوريه { $major } × { $minor } ميكرومتر{ $what }
+dashed-95 = ؛ المتقطع: 95 %
 
 ## orientation
 
@@ -653,6 +653,7 @@ interior-orientation-left = التوجيه الداخلي، اليسرى
 interior-orientation-right = التوجيه الداخلي، اليمنى
 relative-orientation-2 = التوجيه النسبي
 comparing-with-the-truth = المقارنة بالحقيقة
+comparing-how-the-photos-lie = مقارنة وضع الصورتين إحداهما إلى الأخرى
 looking-where-the-point-may = البحث عن موضع النقطة
 loading-the-selected-point = تحميل النقطة المحددة
 measure-2 = المقياس

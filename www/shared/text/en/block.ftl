@@ -269,6 +269,8 @@ agisoft = Agisoft
 csv-tables = CSV tables
 format = Format
 orthomosaic-geotiff = Orthomosaic (GeoTIFF)
+chosen-images-on-the-ground = Chosen images on the ground (GeoTIFF)
+choose-one-or-more-images = Choose one or more images first.
 pixel-of-the-orthomosaic = Side of a pixel of the orthomosaic, in units of the block; empty: that of the images
 pixel-as-the-images = Pixel: as the images
 writing = Writing { $names } …
@@ -290,6 +292,7 @@ add-images = Add images …
 close = Close { $own }
 the-file-of-this-image = The file of this image is not open: a project does not hold its images.
 this-image-cannot-be-decoded = This image cannot be decoded.
+the-place-on-the-orthophoto = The place on the orthophoto that is measured, under the cross
 rejected-gross-error = rejected: gross error
 rejected-behind-the-image = rejected: behind the image
 rejected-its-point-has-too = rejected: its point has too few rays
@@ -655,6 +658,9 @@ check-points-rmse = Check points, RMSE
 predicted = , { FIXED($ratio, digits: 2) } times the predicted standard errors
 m-points = { $join } m, { COUNT($points) } points{ $what }
 root-mean-square-difference-of = Root mean square difference of x, y, z between adjusted and given coordinates of the check points, whose coordinates took no part (their image measurements did, as those of tie points), in m along the axes of the coordinate system of the results; then the same divided by the predicted standard errors, about 1 where these hold.
+check-points-mean = Check points, mean
+mean-m = { $join } m
+mean-difference-of-check-points = Mean difference of x, y, z between adjusted and given coordinates of the check points, in m along the axes of the coordinate system of the results. One that is large beside their root mean square is a shift that all of them share.
 images-oriented-3 = Images oriented
 of-4 = { COUNT($oriented) } of { COUNT($images) }
 images-with-an-exterior-orientation = Images with an exterior orientation: position and attitude in object space.
@@ -750,6 +756,11 @@ images-or-settings-have-changed = Images or settings have changed: press Run.
 open-the-images-of-a = Open the images of a block: files, a folder, or a simulated block.
 photos-oriented = photos oriented
 points-on-several-photos = points on several photos
+rmse-of-check-points = { $points ->
+    [one] 1 check point, RMSE in plan · in height
+   *[other] { COUNT($points) } check points, RMSE in plan · in height
+}
+plan-and-height-m = { FIXED($plan, digits: 3) } · { FIXED($height, digits: 3) } m
 control-places-the-block = The block lies where its control points place it. It can be placed on the orthophoto, too.
 a-block-on-an-orthophoto = The block can be placed on it: it then lies in its system, without a control point.
 place-the-block-on-the = Place the block on the orthophoto
@@ -818,6 +829,7 @@ coordinate-in-system = { $axis } in { $name }, the coordinate reference system o
 in-the-unit-and-the = { $axis } as the file gives it, in its unit and system.
 adjusted-minus-surveyed = Adjusted minus surveyed { $axis }.
 standard-error-of = Standard error of Δ{ $axis }.
+difference-by-standard-error = Difference of { $axis } by its predicted standard error: of a control point that where it is left out, as far as it is known. Beyond 2 it is larger than predicted, beyond 3 rarely by chance.
 difference-left-out = Δ{ $axis } left out
 where-the-other-observations-have = Of a control point: { $axis } where the other observations have it, without its own coordinates, minus surveyed: what it is worth as a check point.
 standard-error-left-out = σ Δ{ $axis } left out
@@ -911,6 +923,13 @@ standard-error-in-plan = Standard error in plan
 standard-error-in-height = Standard error in height
 adjusted-minus-surveyed-place = Adjusted minus surveyed place
 adjusted-minus-surveyed-height = Adjusted minus surveyed height
+control-point-left-out = control point, left out
+control-point-adjusted = control point, in the adjustment
+whiskers-of-95 = ± 1.96 standard errors
+surveyed-value = { $name }, { $kind }: { FIXED($difference, digits: 3) }{ $known ->
+    [yes] {" "}m, σ { FIXED($error, digits: 3) } m, Δ/σ { FIXED($ratio, digits: 1) }
+   *[no] {" "}m
+}
 residual-vx = Residual vx
 residual-vy = Residual vy
 w-of-normal-errors = w of normally distributed errors
@@ -1019,6 +1038,12 @@ in-image = {" "}in { $name }
 ## state/steps
 
 rejected-as-a-gross-error = rejected as a gross error
+link-measured-by-hand = measured by hand, { $use ->
+        [used] used
+        [check] check
+        [by_hand] rejected by hand
+       *[gross_error] rejected as a gross error
+    }
 add-a-link = add a link
 link-2 = { $kind ->
         [reject] reject

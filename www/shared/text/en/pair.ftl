@@ -344,7 +344,6 @@ geometry-of-the-two-views = Geometry of the two views
 not-computed-yet = Not computed yet.
 none = None: { $message }.
 model = Model
-cameras-of-estimated-focal-length = cameras with the focal length estimated from the matches
 matches-that-agree = Matches that agree
 all-others-are-rejected-matches = All others are rejected. Matches that only the geometry made unambiguous are among them.
 standard-error-of-a-coordinate = Standard error of a coordinate
@@ -445,9 +444,10 @@ and = { $symbol } and { $symbol_2 } { FIXED($correlations, digits: 2) }
 from-the-inverse-of-the = From the inverse of the normal equations: near ±1 two unknowns are hardly separable, and an error of one passes into the other.
 correlations-of-the-unknowns = Correlations of the unknowns
 correlations = Correlations: { $join }
-standard-error-ellipse-of-by = Standard error ellipse of by and bz: { $major } by { $minor } mm, longer axis at { FIXED($angle, digits: 0) } degrees from by
+standard-error-ellipse-of-by = Standard error ellipse of by and bz: semi-axes { $major } and { $minor } mm, longer axis at { FIXED($angle, digits: 0) } degrees from by
 cross-truth = ; cross: truth
-by-bz-ellipse-m-dashed = by, bz: ellipse { $major } × { $minor } µm; dashed: twice as large, 2 standard errors{ $what }
+by-bz-ellipse-m = by, bz: standard error ellipse, semi-axes { $major } × { $minor } µm{ $what }
+dashed-95 = ; dashed: 95 %
 
 ## panel/orientation
 
@@ -712,6 +712,7 @@ interior-orientation-left = interior orientation, left
 interior-orientation-right = interior orientation, right
 relative-orientation-2 = relative orientation
 comparing-with-the-truth = comparing with the truth
+comparing-how-the-photos-lie = comparing how the photos lie to each other
 looking-where-the-point-may = looking where the point may lie
 loading-the-selected-point = loading the selected point
 
