@@ -40,6 +40,7 @@ const viewOf = (points, sigma0Px = 0.5) => ({
   crs: null,
   sigma0Px,
   rmsePx: 0.3,
+  components: [],
   checks: null,
   points: {
     count: points.length,

@@ -26,6 +26,7 @@ const viewOf = (own = {}) => ({
   orthophoto: null,
   origin: null,
   crs: null,
+  components: [],
   checks: null,
   leftOut: [],
   cameras: [],

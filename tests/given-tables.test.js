@@ -168,6 +168,7 @@ test('a table that is given after a run is said beside what is to be done, not i
     givenControl: 0,
     orthophoto: null,
     crs: null,
+    components: [],
     checks: null,
     origin: null,
   };

@@ -26,6 +26,7 @@ const viewOf = (names, points) => ({
   surveyed: [],
   givenControl: 0,
   crs: null,
+  components: [],
   checks: null,
   points: {
     count: points.length,

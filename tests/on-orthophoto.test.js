@@ -45,6 +45,7 @@ const view = (/** @type {string[]} */ surveyed = [], more = {}) => ({
   crs: null,
   origin: null,
   geoidM: null,
+  components: [],
   checks: null,
   ...more,
 });

@@ -38,6 +38,7 @@ const viewOf = (names) => ({
   connections: [],
   oriented: names.length,
   surveyed: [],
+  components: [],
   checks: null,
   points: { count: 0, taking: 0, sources: new Float64Array(), rays: new Uint16Array() },
 });

@@ -10,7 +10,9 @@ use super::summary::{NamedReason, outcome_counts};
 use super::verdict::BlockVerdict;
 use super::warning::{OverviewWarning, overview_warnings};
 use super::with_text::WithText;
-use crate::{BlockModel, BlockRun, Camera, Error, GeographicOrigin, Geoid, ObjectPoint, RefinementOutcome, Remark, SurveyedPoint};
+use crate::{
+    BlockModel, BlockRun, Camera, Error, GeographicOrigin, Geoid, ObjectPoint, RefinementOutcome, Remark, SurveyedPoint, VarianceComponent,
+};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -42,6 +44,8 @@ pub struct BlockOverview {
     /// Root mean square length of the residuals of all observations in px; absent before the adjustment.
     pub rmse_px: Option<f64>,
     pub sigma0_px: Option<f64>,
+    /// How large errors are beside the stated standard errors, by the residuals; empty where none are stated.
+    pub components: Vec<VarianceComponent>,
     /// In the system of the results; absent without check points.
     pub checks: Option<CheckSummary>,
     /// The surveyed points of the model that is written.
@@ -142,6 +146,7 @@ impl BlockOverview {
             oriented: run.model.images.iter().filter(|image| image.pose.is_some()).count(),
             rmse_px: adjusted.map_or_else(|| rmse_px(&run.model.points.iter().collect::<Vec<_>>()), |adjusted| Some(adjusted.rmse_px)),
             sigma0_px: adjusted.and_then(|adjusted| adjusted.sigma0_px),
+            components: adjusted.map(|adjusted| adjusted.components.clone()).unwrap_or_default(),
             checks: CheckSummary::of(&shown.surveyed()),
             surveyed: surveyed(run).to_vec(),
             given_control: given_control(run),

@@ -31,6 +31,7 @@ export interface Messages {
     error: { kind: string };
     allowed: { kind: string };
     overview_warning: OverviewWarning;
+    observation_group: { kind: ObservationGroup };
     placing_verdict: PlacingVerdict;
     place_search: PlaceSearch;
     image_reason: ImageReason;

@@ -48,6 +48,29 @@ fn six_points_are_never_rejected_and_nothing_is_detectable() {
 }
 
 #[test]
+fn an_example_of_six_points_comes_out_as_another_adjustment_has_it() {
+    // Wolf and Dewitt's photographs of f 152.113 mm. The values are those of a bundle adjustment of its 24 coordinates in another language.
+    let measured = [
+        [[-4.878, 1.968], [-97.92, -2.91]],
+        [[89.296, 2.689], [-1.485, -1.836]],
+        [[-0.256, 84.138], [-90.906, 78.98]],
+        [[90.328, 83.854], [-1.568, 79.482]],
+        [[-4.673, -86.815], [-100.06, -95.733]],
+        [[88.591, -85.269], [-0.973, -94.312]],
+    ];
+    let observations = measured.map(|[left, right]| Observation::new(left, right));
+    let found =
+        orient_relative(&observations, 152.113, &OrientationOptions { base_mm: Some(92.0), ..OrientationOptions::default() }).unwrap();
+    let p = &found.parameters;
+    let got = [p.omega_deg, p.phi_deg, p.kappa_deg, p.by_mm, p.bz_mm, found.sigma0_mm.unwrap()];
+    let parameters = [2.4275008, 0.5396185, -0.2003540, -1.7964831, -3.8127174, 0.0136654];
+    let errors = [0.01969060, 0.02097344, 0.00972608, 0.06296892, 0.02279830];
+    assert!(got.iter().zip(parameters).all(|(got, expected)| (got - expected).abs() < 1e-6), "{got:?}");
+    assert!(standard_errors(&found).iter().zip(errors).all(|(got, expected)| (got / expected - 1.0).abs() < 1e-3), "{found:?}");
+    assert_eq!((found.rejected.len(), found.degrees_of_freedom), (0, 1));
+}
+
+#[test]
 fn identical_observations_count_once() {
     let once = NADIR.observe(20, SIGMA_MM, 5);
     let often: Vec<Observation> = (0..100).map(|k| once[k * 7 % 20]).collect();

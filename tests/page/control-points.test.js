@@ -106,6 +106,20 @@ test('control and check points are no tie points, their differences have a heigh
   const [, east, north] = (tables.get('points.csv') ?? '').split('\n')[1]?.split(',').map(Number) ?? [];
   assert.ok((east ?? 0) > 427_000 && (east ?? 0) < 430_000 && (north ?? 0) > 5_538_000 && (north ?? 0) < 5_541_000, `${east} ${north}`);
 
+  // What was stated stands beside the residuals, a row for each group, as the file of the orientation has it.
+  const shown = await page
+    .locator('[data-testid="components"] tbody tr')
+    .evaluateAll((rows) => rows.map((row) => [...row.children].slice(0, 2).map((cell) => cell.textContent)));
+  assert.deepEqual(
+    shown.map(([group]) => group),
+    ['image measurements', 'GNSS positions, horizontal', 'GNSS positions, vertical', 'control points, horizontal', 'control points, vertical'],
+  );
+  const [model] = JSON.parse(all.get('orientation.json') ?? '').models;
+  assert.deepEqual(
+    shown.map(([, factor]) => factor),
+    model.adjusted.components.map((/** @type {{ factor: number, held: boolean }} */ one) => (one.held ? '–' : one.factor.toFixed(2))),
+  );
+
   // The bar over the observations lies in one line beside the tabs, and the sums are in sight.
   await part(page, 'tab-block-observations').click();
   await says(page, 'block-observations-caption', /: [\d\u202f]+$/u);

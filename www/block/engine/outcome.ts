@@ -25,6 +25,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     sigma0_px,
     warnings,
     verdict,
+    components,
     checks,
     surveyed,
     given_control: givenControl,
@@ -118,6 +119,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     geoid,
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,
+    components,
     checks,
     surveyed: surveyed.map((known, i) => ({
       ...known,
@@ -193,6 +195,7 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
     geoidM: null,
     rmsePx: null,
     sigma0Px: null,
+    components: [],
     checks: null,
     surveyed: [],
     givenControl: 0,

@@ -16,6 +16,7 @@ import type { BlockState, Shown } from '../state/state';
 import type { BlockScore, CheckSummary, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockView, ViewCamera } from '../state/view';
 import { matchesOf } from '../state/words';
+import { componentTable } from './components';
 import { heightsText } from './placing-answer';
 import { verdictText } from './placing-words';
 import { say } from '../../shared/text/words';
@@ -57,6 +58,7 @@ function sectionsOf(shown: Shown, off: HTMLElement, written: (text: string) => s
     notOriented(view),
     section(say('tie-points-by-number-of'), 'block-by-rays', rayTable(view)),
     section(say('cameras'), 'block-cameras', cameraTable(view)),
+    view.components.length === 0 ? null : section(say('stated-standard-errors'), 'block-components', ...componentTable(view.components)),
   ];
 }
 

@@ -12,6 +12,7 @@ import type {
   RefinementOutcome,
   SurveyedPoint,
   TwoView,
+  VarianceComponent,
 } from '../../../pkg/wasm/tiepoint.js';
 
 export interface ViewImage {
@@ -177,6 +178,8 @@ export interface BlockView {
   surveyed: readonly ViewSurveyed[];
   /** How many of them the block was found with, those without figures included: edits count those that they add from there on. */
   givenControl: number;
+  /** How large errors are beside stated standard errors; empty where none are stated. */
+  components: readonly VarianceComponent[];
   /** What check points say of the block; null without any. */
   checks: CheckSummary | null;
   /** How near a simulated block is to its truth. */

@@ -624,6 +624,14 @@ rays-2 = الأشعة
 rmse-px-4 = RMSE بكسل
 given-f-px = f المعطى px
 calibrated-f-px = f المعايَر px
+stated-standard-errors = الأخطاء المعيارية المعطاة
+by-residuals-stated = بالمتبقيات / المعطى
+interval-of-95 = مجال 95 %
+weights-by = الأوزان بحسب
+weights-by-residuals = المتبقيات
+weights-by-stated = الأخطاء المعيارية المعطاة
+weights-by-stated-held = الأخطاء المعيارية المعطاة (مثبَّتة)
+components-explained = الأخطاء المعيارية بحسب المتبقيات إلى جانب المعطاة. إن زاد العامل على 1 فقد أُعطيت أصغر مما هي. وحيث يحوي المجال 1 لا تناقضها المتبقيات.
 
 ## settings
 

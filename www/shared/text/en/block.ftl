@@ -172,6 +172,17 @@ removes-all-images-an-edited = Removes all images; an oriented or edited block s
 the-files-of-these-images = The files of these images are not open: drop them and try again.
 the-pair-cannot-be-shown = The pair cannot be shown: { $error }.
 
+## panel/components
+
+stated-standard-errors = Stated standard errors
+by-residuals-stated = by residuals / stated
+interval-of-95 = 95 % interval
+weights-by = weights by
+weights-by-residuals = residuals
+weights-by-stated = stated standard errors
+weights-by-stated-held = stated standard errors (held)
+components-explained = Standard errors by the residuals beside those that were stated. Beyond 1 they were stated too small. Where the interval holds 1, the residuals do not contradict them.
+
 ## panel/dock
 
 pairs = Pairs
