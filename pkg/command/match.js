@@ -72,7 +72,7 @@ export const match = {
     const output = await progress.step('matching', () => matchPair(pair, Number(values.get('workers') ?? DEFAULT_WORKERS)));
     const known = truth && { truth, score: matchScoreOf(output, truth, right) };
     const score = known && scoreOf(output, known.truth, known.score);
-    const cameras = [left, right].map((photo) => photo.info().camera);
+    const [names, cameras] = [[leftPath, rightPath], [left, right].map((photo) => photo.info().camera)];
     const hint = hintOf(output, pair);
     const result = { ...resultOf(output, settings, cameras, hint), ...(score ? { score } : {}) };
     const written = progress.step('writing', () =>
@@ -83,8 +83,8 @@ export const match = {
     if (values.has('json')) printJson(result);
     else
       print(
-        ...describe(output, hint, input),
-        ...(input.camera ? [] : describeFileCameras([leftPath, rightPath], cameras)),
+        ...describe(output, hint, input, { names, cameras }),
+        ...(input.camera ? [] : describeFileCameras(names, cameras)),
         ...(score ? ['', ...describeScore(score, output)] : []),
         ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []),
       );
@@ -192,24 +192,32 @@ function describeGeometry({ match: { geometry, no_geometry: none }, no_orientati
   ];
 }
 
-/** What the command takes that a verdict asks for.  @param {import('../node.js').PairVerdict} verdict @param {import('../node.js').Given<import('../node.js').PairInput>} input @returns {string[]} */
-function cameraHint(verdict, input) {
+/** @typedef {{ names: readonly string[], cameras: readonly import('./file-cameras.js').FileCamera[] }} Files  of a pair, with the cameras that they name */
+
+/** What the command takes that a verdict asks for.  @param {import('../node.js').PairVerdict} verdict @param {import('../node.js').Given<import('../node.js').PairInput>} input @param {Files} files @returns {string[]} */
+function cameraHint(verdict, input, { names, cameras }) {
   if (cameraWanted(verdict) !== 'given') return [];
   // Of a scan the marks tell how large its pixels are on the film.
   if (input.camera) return ['hint: give the fiducial marks of scans with --left-fiducials and --right-fiducials, or pixel_mm in the camera'];
+  const known = cameras.findIndex((camera) => camera?.pixel_mm != null && camera.origin !== 'panorama');
+  const [camera, other] = [cameras[known], 1 - known];
+  if (camera?.pixel_mm != null && cameras[other] === null) {
+    const focal = fixed(camera.focal_mm / camera.pixel_mm, 1);
+    return [`hint: ${names[other]} names no camera; if it is that of ${names[known]}, give --focal-px ${focal}, or the camera with --camera FILE`];
+  }
   return ['hint: give the camera with --camera FILE, or its focal length alone with --focal-px F'];
 }
 
 /**
  * The outcome in text.
- * @param {PairOutput} output @param {import('../node.js').PairHint | null} hint @param {import('../node.js').Given<import('../node.js').PairInput>} input @returns {string[]}
+ * @param {PairOutput} output @param {import('../node.js').PairHint | null} hint @param {import('../node.js').Given<import('../node.js').PairInput>} input @param {Files} files @returns {string[]}
  */
-export function describe(output, hint, input) {
+export function describe(output, hint, input, files) {
   const { matches, ...rejected } = output.match.counts;
   return [
     message('pair_verdict', output.verdict),
     ...(hint ? [`hint: ${message('pair_hint', hint)}`] : []),
-    ...cameraHint(output.verdict, input),
+    ...cameraHint(output.verdict, input, files),
     '',
     countTable([
       ['left', output.left],

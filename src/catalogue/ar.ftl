@@ -468,7 +468,7 @@ warning-few-places = تقع المطابقات في { $places ->
         [two] موضعين
        *[other] { $places } من المواضع
     } من الصورة؛ السليم { $least } على الأقل.
-warning-few-matches = لم يشارك إلا { $matches } من المطابقات؛ وقد يتفق مثل هذا العدد على نمط متكرر، والسليم { $least } على الأقل.
+warning-few-matches = لم يشارك إلا { $matches } من المطابقات؛ وقد يتفق مثل هذا العدد القليل على نمط متكرر. ويلزم { $least } على الأقل لاستبعاد ذلك.
 warning-few-agree = لا يتفق مع التوجيه إلا { $accepted } من { $matches } من المطابقات.
 warning-mirrored = تُظهر الصورة اليمنى الأرض معكوسة كما في المرآة.
 warning-mirrored-marks = تقع العلامات الإطارية معكوسة في الصورة { $side }: هل المسح الضوئي معكوس، أم إحداثياتها؟
@@ -574,7 +574,7 @@ overview-warning-few-oriented = تعذّر توجيه أكثر من خُمس ا�
 overview-warning-apart = وُجّهت { $images } من الصور بمعزل عن غيرها، في نموذج مستقل.
 overview-warning-not-on-orthophoto = ليست الكتلة في نظام الصورة المصححة، وهي كما كانت دونها: { $not_linked }.
 overview-warning-focal-apart = البعد البؤري للكاميرا { $label } مع الصورة المصححة { FIXED($estimated_px, digits: 1) } بكسل، والمعروف { FIXED($prior_px, digits: 1) } بكسل، والفرق { FIXED($apart, digits: 1) } انحرافًا معياريًا منه: تحقق من الكاميرا والارتفاعات ووحدتها.
-overview-warning-few-matches = لا تربط الصورتين إلا { $matches } من المطابقات؛ وقد يتفق مثل هذا العدد على نمط متكرر، والسليم { $least } على الأقل.
+overview-warning-few-matches = لا تربط الصورتين إلا { $matches } من المطابقات؛ وقد يتفق مثل هذا العدد القليل على نمط متكرر. ويلزم { $least } على الأقل لاستبعاد ذلك.
 overview-warning-none-oriented = لم يمكن توجيه أي صورة.
 overview-warning-doubtful-camera = لا تكاد إحدى الكاميرات تكون الصحيحة ({ $remark }).
 overview-warning-failed = لم يمكن توجيه أي صورة: { $failure }.

@@ -975,8 +975,8 @@ warning-doubtful-base = The given base of { SIGNIFICANT($base_mm, digits: 3) } m
 warning-few-places = The matches lie in { $places ->
         [one] 1 place
        *[other] { $places } places
-    } of the photo; at least { $least } are sound.
-warning-few-matches = Only { $matches } matches took part; as many may agree on a repeated pattern, at least { $least } are sound.
+    } of the photo; at least { $least } are needed.
+warning-few-matches = Only { $matches } matches took part: so few can agree on a repeated pattern. At least { $least } are needed to exclude it.
 warning-few-agree = Only { $accepted } of { $matches } matches agree with the orientation.
 warning-mirrored = The right photo shows the ground mirrored.
 warning-mirrored-marks = The fiducial marks lie mirrored in the { $side } image: is the scan mirrored, or are their coordinates?
@@ -1076,7 +1076,7 @@ overview-warning-few-oriented = More than a fifth of the images could not be ori
 overview-warning-apart = { $images } images are oriented apart from the others, in a model of their own.
 overview-warning-not-on-orthophoto = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
 overview-warning-focal-apart = With the orthophoto the focal length of { $label } is { FIXED($estimated_px, digits: 1) } px where { FIXED($prior_px, digits: 1) } px was known, { FIXED($apart, digits: 1) } standard deviations of that apart: check the camera, the heights and their unit.
-overview-warning-few-matches = Only { $matches } matches join the two images; as many may agree on a repeated pattern, at least { $least } are sound.
+overview-warning-few-matches = Only { $matches } matches join the two images: so few can agree on a repeated pattern. At least { $least } are needed to exclude it.
 overview-warning-none-oriented = No image could be oriented.
 overview-warning-doubtful-camera = A camera is hardly the right one ({ $remark }).
 overview-warning-failed = No image could be oriented: { $failure }.

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { describe } from '../../pkg/command/match.js';
 import { match_pair, Photo } from '../../pkg/node.js';
+import { cameraWanted } from '../../pkg/pair/camera-wanted.js';
 import { file, folder, image, json, samplePair, speckle, tiepoint } from './command.js';
 
 const { at, call } = samplePair();
@@ -186,6 +187,26 @@ test('gradients tell the geometry of the two views, with a camera and without', 
   assert.equal(typeof none.no_geometry.text, 'string');
 });
 
+/** Files that name no camera. */
+const NO_CAMERAS = { names: ['left.png', 'right.png'], cameras: [null, null] };
+
+test('where one of two files names a camera the hint gives its focal length for the other, which is named', () => {
+  const [left, right] = call.slice(1, 3).map((path) => Photo.decode(readFileSync(path)));
+  assert.ok(left && right);
+  const output = match_pair(left, right, {}, {});
+  assert.deepEqual([output.verdict.kind, cameraWanted(output.verdict)], ['not_oriented', 'given']);
+  const camera = { make: null, model: null, focal_mm: 4, pixel_mm: 0.004 };
+  const hint = (/** @type {readonly (object | null)[]} */ cameras) =>
+    describe(output, null, {}, /** @type {Parameters<typeof describe>[3]} */ ({ ...NO_CAMERAS, cameras }))[1];
+  assert.equal(hint([camera, null]), 'hint: right.png names no camera; if it is that of left.png, give --focal-px 1000.0, or the camera with --camera FILE');
+  assert.match(hint([null, camera]) ?? '', /^hint: left\.png names no camera; if it is that of right\.png/);
+  for (const cameras of [
+    [null, null],
+    [camera, camera],
+  ])
+    assert.match(hint(cameras) ?? '', /^hint: give the camera with --camera FILE, or its focal length alone/);
+});
+
 test('cameras whose focal length the matches gave are not called calibrated', () => {
   const [left, right] = call.slice(1, 3).map((path) => Photo.decode(readFileSync(path)));
   assert.ok(left && right);
@@ -195,7 +216,7 @@ test('cameras whose focal length the matches gave are not called calibrated', ()
   const model = { ...geometry.model, kind: 'calibrated' };
   const line = (/** @type {object | null} */ focal) => {
     const told = /** @type {typeof output} */ ({ ...output, match: { ...output.match, geometry: { ...geometry, model, focal } } });
-    return describe(told, null, {}).find((text) => text.startsWith('geometry of the two views: '));
+    return describe(told, null, {}, NO_CAMERAS).find((text) => text.startsWith('geometry of the two views: '));
   };
   assert.match(line(null) ?? '', /: orientation of calibrated cameras, standard error/);
   assert.match(line({ focal_px: 600, standard_error_px: 5 }) ?? '', /: cameras with the focal length estimated from the matches, standard error/);

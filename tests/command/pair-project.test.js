@@ -49,7 +49,8 @@ for (const [name, ...args] of [
       }),
     );
     assert.deepEqual(opened, result);
-    assert.ok(tiepoint(...args).stdout.startsWith(describe(output, result.hint, project.input).join('\n')));
+    const files = { names: args.slice(1, 3), cameras: project.images.map(({ camera }) => camera ?? null) };
+    assert.ok(tiepoint(...args).stdout.startsWith(describe(output, result.hint, project.input, files).join('\n')));
     assert.equal(write_pair_project(project), bytes.toString());
   });
 }
