@@ -496,7 +496,11 @@ refusal-unknown-crs = coordinate reference system: got { $crs }, a code that is 
 refusal-crs-text = coordinate reference system: got { $crs }, which cannot be read ({ $reason }); allowed: an EPSG code (EPSG:25832), WKT, or PROJ text with one of the projections { $projections }
 refusal-geocentric-crs = coordinate reference system: got { $crs }, whose axes meet in the centre of the earth; allowed: geographic and projected systems
 refusal-crs-axes = coordinate reference system: got { $crs }, which states a datum shift and has north before east; allowed: east before north beside a stated shift
-refusal-no-datum-shift = coordinate reference system: got { $crs } ({ $name }), whose datum no known shift without a grid leads to WGS 84 from; allowed: PROJ text with +datum=WGS84, or with the shift as +towgs84 (+towgs84=0,0,0 where the datum is WGS 84 but for some decimetres)
+refusal-no-datum-shift =
+    coordinate reference system: got { $crs }{ $name ->
+        [none] {""}
+       *[other] {" "}({ $name })
+    }, whose datum no known shift without a grid leads to WGS 84 from; allowed: PROJ text with +datum=WGS84, or with the shift as +towgs84 (+towgs84=0,0,0 where the datum is WGS 84 but for some decimetres)
 refusal-crs-area = coordinate reference system: got { $crs } at longitude { FIXED($longitude_deg, digits: 4) }°, latitude { FIXED($latitude_deg, digits: 4) }°, where no shift of its datum to WGS 84 is known; allowed: positions in { $areas }. Check the zone and the order of the coordinates
 refusal-crs-place =
     coordinates: got ({ $x }, { $y }), which lie outside { $crs }; allowed: { $degrees ->
