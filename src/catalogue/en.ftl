@@ -623,6 +623,11 @@ refusal-place-without-height = place of the ground: got { $place }; allowed: whe
 refusal-place-system = place of an orthophoto: got one of a system from which nothing leads to { $crs } ({ $failure }); allowed: places of an orthophoto whose system leads there
 refusal-world-file = world file: got { $text }; allowed: six numbers, one per line: A, D, B, E of the pixel, X and Y of the centre of the top-left pixel
 refusal-georeference = georeference: got { $numbers }; allowed: finite coordinates and pixels with an extent
+refusal-mirrored-picture =
+    georeference of a picture of the ground: got A = { $a }, D = { $d }, B = { $b }, E = { $e } of its pixels, as a world file has them, by which { $rows_go_north ->
+        [true] rows go north (E above 0)
+       *[false] the picture is mirrored
+    }; allowed: rows that go south where columns go east (A above 0, E below 0), or such a picture turned as a whole (A·E - B·D below 0). gdalwarp writes it so
 refusal-degrees = coordinates of a picture of the ground: got longitude and latitude in degrees; allowed: a projected system in metres or feet: reproject it, with gdalwarp -t_srs say
 refusal-height-count = height model: got { $heights } heights for { $width } x { $height }; allowed: one height for each node, of 2 x 2 nodes or more; a truncated file has fewer
 refusal-height-range = heights of a height model: got { $low } to { $high }; allowed: -1000 to 20000, with at least one; what stands for 'no height' must be declared

@@ -240,6 +240,8 @@ messages! {
         PlaceSystem { crs: String, failure: Failure },
         WorldFile { text: String },
         Georeference { numbers: String },
+        /// The numbers of a pixel as a world file has them.
+        MirroredPicture { #[serde(with = "number")] a: f64, #[serde(with = "number")] d: f64, #[serde(with = "number")] b: f64, #[serde(with = "number")] e: f64, rows_go_north: bool },
         Degrees,
         HeightCount { heights: usize, width: usize, height: usize },
         HeightRange { #[serde(with = "number")] low: f64, #[serde(with = "number")] high: f64 },
