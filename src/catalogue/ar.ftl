@@ -1077,6 +1077,11 @@ place-slip-exchanged = إذا تبادل x وy كان الموضع صحيحًا:
 place-slip-other-half = في المنطقة نفسها من النصف الآخر للأرض (الشمالي أو الجنوبي) يكون الموضع صحيحًا: هل سُمّي النظام خطأً؟
 place-slip-unit = إذا كانت الإحداثيات بوحدة { $given_in } كان الموضع صحيحًا.
 place-slip-coordinate = إذا كان { $likely } في الوسط كان الموضع صحيحًا.
+place-slip-exchanged-positions = إذا تبادل خط العرض وخط الطول في المواقع كانت هناك: تحقق من ترتيبهما.
+place-slip-latitude-sign = إذا انعكست إشارة خطوط العرض كانت المواقع هناك: هل كُتب الشمال بدل الجنوب، أم تنقص الإشارة؟
+place-slip-longitude-sign = إذا انعكست إشارة خطوط الطول كانت المواقع هناك: هل كُتب الشرق بدل الغرب، أم تنقص الإشارة؟
+place-slip-both-signs = إذا انعكست إشارات خطوط العرض والطول كانت المواقع هناك: هل تنقص الإشارات؟
+place-slip-unknown = هل هي الصورة المصححة لهذه الصور، وهل نظامها صحيح، أم المواقع خاطئة؟
 
 # أين تلتقي القياسات الصورية لنقاط الضبط.
 control-apart-heights = تلتقي هذه { SIGN($up_m) ->
@@ -1087,7 +1092,6 @@ control-apart-places = تلتقي هذه على بعد { FIXED($across_m, digits
         [minus] تحتها
        *[plus] فوقها
     } بمقدار { AMOUNT($up_m, digits: 2) } م في الوسيط. هل هي في نظام إحداثيات مرجعي آخر، أم بوحدة أخرى؟
-place-slip-unknown = هل هي الصورة المصححة لهذه الصور، وهل نظامها صحيح، أم المواقع خاطئة؟
 
 # Why a block is not in the system of an orthophoto.
 not-linked-not-oriented = لم توجَّه
@@ -1123,11 +1127,13 @@ placing-weakness-camera = تطلب النقاط { $camera_parameter } بمقدا
 placing-weakness-height-factor = تطلب النقاط فروق ارتفاع تساوي { FIXED($factor, digits: 2) } ± { SIGNIFICANT($standard_error, digits: 1) } مرة من فروق الارتفاعات المعطاة: تحقق من أن الارتفاعات لهذه الأرض وبوحدة الصورة المصححة.
 placing-weakness-relief = في { PERCENT($displaced, digits: 0) } من الصورة تقع النقاط معًا في غير الموضع الذي تحدده الارتفاعات: تحقق من أن الارتفاعات لهذه الأرض وبوحدة الصورة المصححة. منسوب واحد يصلح للأرض المستوية وحدها.
 placing-weakness-gnss = تبعد أفقيًا { FIXED($plan_m, digits: 0) } م عن موقعها في GNSS، والمعتاد { FIXED($usual_m, digits: 0) } م على الأكثر: تحقق من النظام الإحداثي للصورة المصححة ومن الارتفاعات ومن الموقع.
+placing-weakness-far-from-gnss = تبعد { SIGNIFICANT($distance_km, digits: 3) } كم عن موقعها في GNSS. { $place_slip }
 placing-weakness-noise = الجذر التربيعي لمتوسط مربعات المتبقيات { FIXED($rmse_px, digits: 2) } بكسل، وتبلغ الصور الجيدة { FIXED($usual_px, digits: 2) } بكسل: تحقق من الارتفاعات ومن عمر الصورة المصححة.
 
 # How an image with a GNSS position was sought on an orthophoto.
 place-search-gnss = عُثر عليها ضمن { FIXED($within_m, digits: 0) } م من موقعها في GNSS، وتبعد عنه أفقيًا { FIXED($plan_m, digits: 1) } م.
 place-search-apart-from-gnss = تبعد أفقيًا { FIXED($plan_m, digits: 0) } م عن موقعها في GNSS، وهو صحيح عادةً ضمن { FIXED($usual_m, digits: 0) } م: تحقق من النظام الإحداثي للصورة المصححة ومن الارتفاعات ومن الموقع.
+place-search-far-from-gnss = تبعد { SIGNIFICANT($distance_km, digits: 3) } كم عن موقعها في GNSS. { $place_slip }
 place-search-beyond-gnss = لم يُعثر عليها ضمن { FIXED($within_m, digits: 0) } م من موقعها في GNSS؛ وبُحث في الصورة المصححة كلها.
 
 # What the place of an image is worth.

@@ -1613,6 +1613,10 @@ place-slip-exchanged = With x and y exchanged that would be the place: x is the 
 place-slip-other-half = In the same zone of the other half of the earth (north or south) that would be the place: is the system named wrong?
 place-slip-unit = With coordinates in { $given_in } that would be the place.
 place-slip-coordinate = With { $likely } in the middle that would be the place.
+place-slip-exchanged-positions = With latitude and longitude exchanged in the positions these would be there: check their order.
+place-slip-latitude-sign = With latitudes of the other sign the positions would be there: is north written for south, or the sign missing?
+place-slip-longitude-sign = With longitudes of the other sign the positions would be there: is east written for west, or the sign missing?
+place-slip-both-signs = With latitudes and longitudes of the other sign the positions would be there: are the signs missing?
 place-slip-unknown = Is it the orthophoto of these images, is its system the right one, or are the positions wrong?
 
 # Why a block is not in the system of an orthophoto.
@@ -1649,11 +1653,13 @@ placing-weakness-camera = The points ask for { $camera_parameter } of { FIXED($e
 placing-weakness-height-factor = The points ask for differences of height { FIXED($factor, digits: 2) } ± { SIGNIFICANT($standard_error, digits: 1) } times those of the heights: check that the heights are of this ground, and in the unit of the orthophoto.
 placing-weakness-relief = In { PERCENT($displaced, digits: 0) } of the image the points lie together elsewhere than the heights put them: check that the heights are of this ground, and in the unit of the orthophoto. One level stands for level ground alone.
 placing-weakness-gnss = It lies { FIXED($plan_m, digits: 0) } m from its GNSS position in plan, where { FIXED($usual_m, digits: 0) } m are usual at most: check the coordinate system of the orthophoto, the heights and the position.
+placing-weakness-far-from-gnss = It lies { SIGNIFICANT($distance_km, digits: 3) } km from its GNSS position. { $place_slip }
 placing-weakness-noise = Residuals are { FIXED($rmse_px, digits: 2) } px in the root mean square, where good pictures reach { FIXED($usual_px, digits: 2) } px: check the heights and the age of the orthophoto.
 
 # How an image with a GNSS position was sought on an orthophoto.
 place-search-gnss = Found within { FIXED($within_m, digits: 0) } m of its GNSS position, { FIXED($plan_m, digits: 1) } m from it in plan.
 place-search-apart-from-gnss = It lies { FIXED($plan_m, digits: 0) } m from its GNSS position in plan, which is right to { FIXED($usual_m, digits: 0) } m as a rule: check the coordinate system of the orthophoto, the heights and the position.
+place-search-far-from-gnss = It lies { SIGNIFICANT($distance_km, digits: 3) } km from its GNSS position. { $place_slip }
 place-search-beyond-gnss = Not found within { FIXED($within_m, digits: 0) } m of its GNSS position; all of the orthophoto was searched.
 
 # What the place of an image is worth.

@@ -287,7 +287,12 @@ test('a photo that records no position is sought where a table has it, in degree
     ['unknown_position_columns', 'positions_of_other_images', 'orthophoto_elsewhere'],
   );
   // Its place is doubted for that, too.
-  assert.deepEqual([images[0].search.kind, images[0].verdict.kind], ['apart_from_gnss', 'weak']);
+  assert.deepEqual([images[0].search.kind, images[0].search.place_slip.kind, images[0].verdict.kind], ['far_from_gnss', 'unknown', 'weak']);
+  // Latitude and longitude stand in each other's place: no operation leads from there into the system of the orthophoto.
+  const exchanged = placed(`image,lon,lat\nplain.png,${latitude},${longitude}\n`);
+  assert.deepEqual([exchanged.remarks[0].kind, exchanged.remarks[0].place_slip.kind], ['orthophoto_elsewhere', 'exchanged_positions']);
+  assert.deepEqual([exchanged.images[0].search.kind, exchanged.images[0].search.place_slip.kind], ['far_from_gnss', 'exchanged_positions']);
+  assert.equal(exchanged.images[0].verdict.kind, 'weak');
   for (const [text, args, told] of /** @type {[string, string[], RegExp][]} */ ([
     ['plain.png,50.1,8.2\n', [], /^1 .*table\.csv: .*longitude and latitude/],
     [`image,easting,northing\nplain,${longitude},${latitude}\n`, ['--crs', 'EPSG:25832'], /^1 .*table\.csv: .*degrees/],
