@@ -118,6 +118,9 @@ pub struct Link {
     pub place: [f64; 3],
     /// Observed minus computed column and row in px; absent where the image does not see the place.
     pub residual_px: Option<[f64; 2]>,
+    /// Standard error of each of its coordinates in the image, in px, in which that of its place has its part; absent without redundancy.
+    #[serde(default)]
+    pub sigma_px: Option<f64>,
     pub role: LinkUse,
     /// Whether it was measured by eye.
     #[serde(default)]

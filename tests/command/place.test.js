@@ -45,6 +45,13 @@ test('photos are placed on the orthophoto of their scene, and their pictures lie
     links.length - 1,
     result.images.reduce((/** @type {number} */ sum, /** @type {any} */ image) => sum + image.placement.links.length, 0),
   );
+  // What the tables say of links that check, and of each link, is that of the result.
+  const { placement } = result.images[0];
+  const [names, first] = [head, rows[0] ?? ''].map((line) => line.split(','));
+  const cell = (/** @type {string} */ name) => Number(first?.[names?.indexOf(name) ?? NaN]);
+  assert.deepEqual(['checks', 'checks_beyond', 'checks_rmse_px'].map(cell), [placement.checks.number, placement.checks.beyond, placement.checks.rmse_px]);
+  assert.match(links[0] ?? '', /,residual_px,use,sigma_px,by_hand$/);
+  assert.ok(links[1]?.endsWith(`,${placement.links[0].role},${placement.links[0].sigma_px},0`) && placement.links[0].sigma_px > 0, links[1]);
   assert.deepEqual(JSON.parse(readFileSync(join(out, 'result.json'), 'utf8')), result);
 });
 
