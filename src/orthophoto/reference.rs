@@ -351,6 +351,13 @@ mod tests {
             assert_eq!(orthophoto.heights, heights);
         }
         assert!(read(None, of(Some(25_833))).is_ok());
+        // In feet, as their file says: in m, the unit of the orthophoto.
+        orthophoto.set_heights(of(Some(25_832))).unwrap();
+        assert_eq!(orthophoto.heights.given_in(), None);
+        let in_feet = |model: HeightModel| Heights::Model(model.said_in(0.3048));
+        orthophoto.set_heights(in_feet(model.clone())).unwrap();
+        assert_eq!(orthophoto.heights.given_in().as_deref(), Some("ft"));
+        assert!(orthophoto.heights.range().iter().all(|height| (height - 7.0 * 0.3048).abs() < 1e-6), "{:?}", orthophoto.heights.range());
         // Elsewhere.
         let beside = HeightModel::new(40, 40, vec![7.0; 1600], Georeference::north_up([0.0, 0.0], 1.0)).unwrap();
         assert!(orthophoto.set_heights(Heights::Model(beside)).unwrap_err().to_string().contains("none under the orthophoto"));

@@ -76,4 +76,5 @@ pub use positions::{GivenPosition, PositionTable};
 pub use records::digest;
 pub use result::{BlockRun, EditedRun, JoinedPoints, RefinedObservation, RefinementTable, RunImage, SkippedImage};
 pub use run::Run;
+pub(crate) use system::{is_unit, unit_name};
 pub use task::Task;

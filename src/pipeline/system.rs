@@ -91,12 +91,12 @@ pub(super) fn looks_like_degrees([x, y]: [f64; 2]) -> bool {
 const MOST_FROM_MERIDIAN_DEG: f64 = 4.0;
 
 /// Whether two units of length are one, as far as tables tell them apart.
-fn is_unit(length_m: f64, other_m: f64) -> bool {
+pub(crate) fn is_unit(length_m: f64, other_m: f64) -> bool {
     (length_m / other_m - 1.0).abs() < ALIKE
 }
 
 /// What a unit of length is called.
-fn unit_name(unit_m: f64) -> String {
+pub(crate) fn unit_name(unit_m: f64) -> String {
     let named = LENGTHS.iter().find(|(_, own_m)| is_unit(*own_m, unit_m)).map(|(name, _)| (*name).to_string());
     named.unwrap_or_else(|| format!("{unit_m} m"))
 }
