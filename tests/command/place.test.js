@@ -135,7 +135,10 @@ test('an orthophoto without a place, one in degrees and other bad input are refu
   const north = join(at, 'north.png');
   writeFileSync(north, readFileSync(photo));
   file(at, 'north.pgw', '0.5\n0\n0\n0.5\n430000\n5540000\n');
-  assert.match(refused(photo, '--orthophoto', north), /^1 .*north\.png.*got A = 0\.5, D = 0, B = 0, E = 0\.5.*rows go north \(E above 0\); allowed: rows that go south/);
+  assert.match(
+    refused(photo, '--orthophoto', north),
+    /^1 .*north\.png.*got A = 0\.5, D = 0, B = 0, E = 0\.5.*rows go north \(E above 0\); allowed: rows that go south/,
+  );
   const world = file(at, 'a.pgw', '0.5\n0\n0\n');
   writeFileSync(join(at, 'a.png'), readFileSync(photo));
   assert.match(refused(photo, '--orthophoto', join(at, 'a.png')), /^1 .*world file/, world);
