@@ -69,7 +69,7 @@ pub use descriptors::{
     features, gradient_features, window_moments,
 };
 pub use editing::{BlockEdit, EditedMatch, HandMeasurement, MeasuredBy, PairEdit, PointImage};
-pub use epipolar_images::{EpipolarGeometry, EpipolarImages, Parallaxes, StereoPair, StereoView, write_anaglyph};
+pub use epipolar_images::{EpipolarGeometry, EpipolarImages, Parallaxes, StereoPair, StereoSystem, StereoView, write_anaglyph};
 pub use error::{
     Allowed, CameraParameter, Cause, Computation, Damage, DescribedBy, Document, Element, Error, Failure, Few, FileFault, FileKind,
     FilePlace, ImageFault, ImageOperation, Input, Interruption, Location, PointName, Refusal, Side, Unsettled, Unsupported,

@@ -23,9 +23,9 @@ before(async () => {
 });
 
 const LINKS = [
-  { at: [10, 20], place: [100, 200, 5], residual_px: [0.1, -0.2], role: 'used', by_hand: false },
-  { at: [30, 40], place: [110, 190, 6], residual_px: [3, 4], role: 'rejected', by_hand: false },
-  { at: [50, 60], place: [120, 180, 7], residual_px: [0, 0.5], role: 'check', by_hand: false },
+  { at: [10, 20], place: [100, 200, 5], residual_px: [0.1, -0.2], sigma_px: 0.3, role: 'used', by_hand: false },
+  { at: [30, 40], place: [110, 190, 6], residual_px: [3, 4], sigma_px: 0.4, role: 'rejected', by_hand: false },
+  { at: [50, 60], place: [120, 180, 7], residual_px: [0, 0.5], sigma_px: null, role: 'check', by_hand: false },
 ];
 const IMAGE = { verdict: { kind: 'placed' }, placement: { links: LINKS, rmse_px: 0.3 } };
 

@@ -54,4 +54,7 @@ test('heights are in the unit of the orthophoto, level ground too', () => {
     assert.match(said(level, epsg, origin), new RegExp(`level at 12\\.00 ${unit}: `), `EPSG:${epsg}`);
     assert.match(said(model, epsg, origin), new RegExp(`: 10\\.0 to 20\\.0 ${unit}\\.`), `EPSG:${epsg}`);
   }
+  const orthophoto = orthophotoOf(32610, [550_000, 4_180_000]);
+  const converted = { ...orthophoto, info: { ...orthophoto.info, heights: [10, 20], heights_given_in: 'ft' } };
+  assert.match(heightsText({ placing: { heights: model, orthophoto: converted } }), /: 10\.0 to 20\.0 m, converted from ft as their file says\./);
 });

@@ -96,7 +96,8 @@ async function run({ positionals, values }) {
     shown.end();
     if (placing.check_share === 0) note('--check-share is 0: no link checks the result');
     if (!ground) note(NO_HEIGHTS);
-    const { heights_from: from } = result.orthophoto;
+    const { heights_from: from, heights_given_in: unit } = result.orthophoto;
+    if (unit) note(`heights are in ${unit}, as their file says, and were converted to the unit of the orthophoto`);
     if (from) note(`heights count from ${from}, as their file says`);
     if (failed.length < positionals.length) {
       if (values.has('json')) printJson(result);

@@ -1077,6 +1077,11 @@ place-slip-exchanged = إذا تبادل x وy كان الموضع صحيحًا:
 place-slip-other-half = في المنطقة نفسها من النصف الآخر للأرض (الشمالي أو الجنوبي) يكون الموضع صحيحًا: هل سُمّي النظام خطأً؟
 place-slip-unit = إذا كانت الإحداثيات بوحدة { $given_in } كان الموضع صحيحًا.
 place-slip-coordinate = إذا كان { $likely } في الوسط كان الموضع صحيحًا.
+place-slip-exchanged-positions = إذا تبادل خط العرض وخط الطول في المواقع كانت هناك: تحقق من ترتيبهما.
+place-slip-latitude-sign = إذا انعكست إشارة خطوط العرض كانت المواقع هناك: هل كُتب الشمال بدل الجنوب، أم تنقص الإشارة؟
+place-slip-longitude-sign = إذا انعكست إشارة خطوط الطول كانت المواقع هناك: هل كُتب الشرق بدل الغرب، أم تنقص الإشارة؟
+place-slip-both-signs = إذا انعكست إشارات خطوط العرض والطول كانت المواقع هناك: هل تنقص الإشارات؟
+place-slip-unknown = هل هي الصورة المصححة لهذه الصور، وهل نظامها صحيح، أم المواقع خاطئة؟
 
 # أين تلتقي القياسات الصورية لنقاط الضبط.
 control-apart-heights = تلتقي هذه { SIGN($up_m) ->
@@ -1087,7 +1092,6 @@ control-apart-places = تلتقي هذه على بعد { FIXED($across_m, digits
         [minus] تحتها
        *[plus] فوقها
     } بمقدار { AMOUNT($up_m, digits: 2) } م في الوسيط. هل هي في نظام إحداثيات مرجعي آخر، أم بوحدة أخرى؟
-place-slip-unknown = هل هي الصورة المصححة لهذه الصور، وهل نظامها صحيح، أم المواقع خاطئة؟
 
 # Why a block is not in the system of an orthophoto.
 not-linked-not-oriented = لم توجَّه
@@ -1123,11 +1127,13 @@ placing-weakness-camera = تطلب النقاط { $camera_parameter } بمقدا
 placing-weakness-height-factor = تطلب النقاط فروق ارتفاع تساوي { FIXED($factor, digits: 2) } ± { SIGNIFICANT($standard_error, digits: 1) } مرة من فروق الارتفاعات المعطاة: تحقق من أن الارتفاعات لهذه الأرض وبوحدة الصورة المصححة.
 placing-weakness-relief = في { PERCENT($displaced, digits: 0) } من الصورة تقع النقاط معًا في غير الموضع الذي تحدده الارتفاعات: تحقق من أن الارتفاعات لهذه الأرض وبوحدة الصورة المصححة. منسوب واحد يصلح للأرض المستوية وحدها.
 placing-weakness-gnss = تبعد أفقيًا { FIXED($plan_m, digits: 0) } م عن موقعها في GNSS، والمعتاد { FIXED($usual_m, digits: 0) } م على الأكثر: تحقق من النظام الإحداثي للصورة المصححة ومن الارتفاعات ومن الموقع.
+placing-weakness-far-from-gnss = تبعد { SIGNIFICANT($distance_km, digits: 3) } كم عن موقعها في GNSS. { $place_slip }
 placing-weakness-noise = الجذر التربيعي لمتوسط مربعات المتبقيات { FIXED($rmse_px, digits: 2) } بكسل، وتبلغ الصور الجيدة { FIXED($usual_px, digits: 2) } بكسل: تحقق من الارتفاعات ومن عمر الصورة المصححة.
 
 # How an image with a GNSS position was sought on an orthophoto.
 place-search-gnss = عُثر عليها ضمن { FIXED($within_m, digits: 0) } م من موقعها في GNSS، وتبعد عنه أفقيًا { FIXED($plan_m, digits: 1) } م.
 place-search-apart-from-gnss = تبعد أفقيًا { FIXED($plan_m, digits: 0) } م عن موقعها في GNSS، وهو صحيح عادةً ضمن { FIXED($usual_m, digits: 0) } م: تحقق من النظام الإحداثي للصورة المصححة ومن الارتفاعات ومن الموقع.
+place-search-far-from-gnss = تبعد { SIGNIFICANT($distance_km, digits: 3) } كم عن موقعها في GNSS. { $place_slip }
 place-search-beyond-gnss = لم يُعثر عليها ضمن { FIXED($within_m, digits: 0) } م من موقعها في GNSS؛ وبُحث في الصورة المصححة كلها.
 
 # What the place of an image is worth.
@@ -1333,7 +1339,11 @@ refusal-unknown-crs = نظام الإحداثيات المرجعي: أُعطي {
 refusal-crs-text = نظام الإحداثيات المرجعي: أُعطي { $crs }، ولا يمكن قراءته ({ $reason })؛ المسموح: رمز EPSG (EPSG:25832) أو WKT أو نص PROJ بأحد الإسقاطات { $projections }
 refusal-geocentric-crs = نظام الإحداثيات المرجعي: أُعطي { $crs }، وتلتقي محاوره في مركز الأرض؛ المسموح: أنظمة جغرافية ومسقطة
 refusal-crs-axes = نظام الإحداثيات المرجعي: أُعطي { $crs }، وهو يذكر انتقال مرجع ويجعل الشمال قبل الشرق؛ المسموح: الشرق قبل الشمال مع انتقال مذكور
-refusal-no-datum-shift = نظام الإحداثيات المرجعي: أُعطي { $crs } ({ $name })، ولا يُعرف انتقال من مرجعه إلى WGS 84 دون شبكة؛ المسموح: نص PROJ مع +datum=WGS84، أو مع الانتقال في +towgs84 (+towgs84=0,0,0 حيث يساوي المرجع WGS 84 إلا بضعة ديسيمترات)
+refusal-no-datum-shift =
+    نظام الإحداثيات المرجعي: أُعطي { $crs }{ $name ->
+        [none] {""}
+       *[other] {" "}({ $name })
+    }، ولا يُعرف انتقال من مرجعه إلى WGS 84 دون شبكة؛ المسموح: نص PROJ مع +datum=WGS84، أو مع الانتقال في +towgs84 (+towgs84=0,0,0 حيث يساوي المرجع WGS 84 إلا بضعة ديسيمترات)
 refusal-crs-area = نظام الإحداثيات المرجعي: أُعطي { $crs } عند خط الطول { FIXED($longitude_deg, digits: 4) }° وخط العرض { FIXED($latitude_deg, digits: 4) }°، ولا يُعرف هناك انتقال من مرجعه إلى WGS 84؛ المسموح: مواضع في { $areas }. تحقق من المنطقة ومن ترتيب الإحداثيات
 refusal-crs-place =
     الإحداثيات: أُعطي ({ $x }, { $y })، وهي خارج { $crs }؛ المسموح: { $degrees ->
@@ -1464,6 +1474,11 @@ refusal-place-without-height = موضع على الأرض: أُعطي { $place }
 refusal-place-system = موضع من صورة مصححة: أُعطي موضع من نظام لا يقود منه شيء إلى { $crs } ({ $failure })؛ المسموح: مواضع صورة مصححة يقود نظامها إلى هناك
 refusal-world-file = ملف الإحداثيات (world file): أُعطي { $text }؛ المسموح: ستة أعداد، عدد في كل سطر: A وD وB وE للبكسل، وX وY لمركز البكسل العلوي الأيسر
 refusal-georeference = الإسناد الجغرافي: أُعطي { $numbers }؛ المسموح: إحداثيات منتهية وبكسلات لها امتداد
+refusal-mirrored-picture =
+    الإسناد الجغرافي لصورة الأرض: أُعطي A = { $a } وD = { $d } وB = { $b } وE = { $e } لبكسلاتها كما في ملف world، وبها { $rows_go_north ->
+        [true] تتجه الصفوف شمالًا (E فوق 0)
+       *[false] تنعكس الصورة كما في المرآة
+    }؛ المسموح: صفوف تتجه جنوبًا حيث تتجه الأعمدة شرقًا (A فوق 0 وE تحت 0)، أو صورة كهذه مُدارة كلها (A·E - B·D تحت 0). يكتبها gdalwarp كذلك
 refusal-degrees = إحداثيات صورة الأرض: أُعطي خط الطول والعرض بالدرجات؛ المسموح: نظام إسقاط بالأمتار أو الأقدام: أعد إسقاطها، بالأمر gdalwarp -t_srs مثلًا
 refusal-height-count = نموذج الارتفاعات: أُعطي { $heights } من الارتفاعات لأبعاد { $width } × { $height }؛ المسموح: ارتفاع لكل موضع، من 2 × 2 من المواضع أو أكثر؛ وفي الملف المبتور أقل
 refusal-height-range = ارتفاعات نموذج الارتفاعات: أُعطي من { $low } إلى { $high }؛ المسموح: من -1000 إلى 20000، وفيها ارتفاع واحد على الأقل؛ ويجب التصريح بالقيمة الدالة على «لا ارتفاع»

@@ -496,7 +496,11 @@ refusal-unknown-crs = coordinate reference system: got { $crs }, a code that is 
 refusal-crs-text = coordinate reference system: got { $crs }, which cannot be read ({ $reason }); allowed: an EPSG code (EPSG:25832), WKT, or PROJ text with one of the projections { $projections }
 refusal-geocentric-crs = coordinate reference system: got { $crs }, whose axes meet in the centre of the earth; allowed: geographic and projected systems
 refusal-crs-axes = coordinate reference system: got { $crs }, which states a datum shift and has north before east; allowed: east before north beside a stated shift
-refusal-no-datum-shift = coordinate reference system: got { $crs } ({ $name }), whose datum no known shift without a grid leads to WGS 84 from; allowed: PROJ text with +datum=WGS84, or with the shift as +towgs84 (+towgs84=0,0,0 where the datum is WGS 84 but for some decimetres)
+refusal-no-datum-shift =
+    coordinate reference system: got { $crs }{ $name ->
+        [none] {""}
+       *[other] {" "}({ $name })
+    }, whose datum no known shift without a grid leads to WGS 84 from; allowed: PROJ text with +datum=WGS84, or with the shift as +towgs84 (+towgs84=0,0,0 where the datum is WGS 84 but for some decimetres)
 refusal-crs-area = coordinate reference system: got { $crs } at longitude { FIXED($longitude_deg, digits: 4) }°, latitude { FIXED($latitude_deg, digits: 4) }°, where no shift of its datum to WGS 84 is known; allowed: positions in { $areas }. Check the zone and the order of the coordinates
 refusal-crs-place =
     coordinates: got ({ $x }, { $y }), which lie outside { $crs }; allowed: { $degrees ->
@@ -619,6 +623,11 @@ refusal-place-without-height = place of the ground: got { $place }; allowed: whe
 refusal-place-system = place of an orthophoto: got one of a system from which nothing leads to { $crs } ({ $failure }); allowed: places of an orthophoto whose system leads there
 refusal-world-file = world file: got { $text }; allowed: six numbers, one per line: A, D, B, E of the pixel, X and Y of the centre of the top-left pixel
 refusal-georeference = georeference: got { $numbers }; allowed: finite coordinates and pixels with an extent
+refusal-mirrored-picture =
+    georeference of a picture of the ground: got A = { $a }, D = { $d }, B = { $b }, E = { $e } of its pixels, as a world file has them, by which { $rows_go_north ->
+        [true] rows go north (E above 0)
+       *[false] the picture is mirrored
+    }; allowed: rows that go south where columns go east (A above 0, E below 0), or such a picture turned as a whole (A·E - B·D below 0). gdalwarp writes it so
 refusal-degrees = coordinates of a picture of the ground: got longitude and latitude in degrees; allowed: a projected system in metres or feet: reproject it, with gdalwarp -t_srs say
 refusal-height-count = height model: got { $heights } heights for { $width } x { $height }; allowed: one height for each node, of 2 x 2 nodes or more; a truncated file has fewer
 refusal-height-range = heights of a height model: got { $low } to { $high }; allowed: -1000 to 20000, with at least one; what stands for 'no height' must be declared
@@ -1604,6 +1613,10 @@ place-slip-exchanged = With x and y exchanged that would be the place: x is the 
 place-slip-other-half = In the same zone of the other half of the earth (north or south) that would be the place: is the system named wrong?
 place-slip-unit = With coordinates in { $given_in } that would be the place.
 place-slip-coordinate = With { $likely } in the middle that would be the place.
+place-slip-exchanged-positions = With latitude and longitude exchanged in the positions these would be there: check their order.
+place-slip-latitude-sign = With latitudes of the other sign the positions would be there: is north written for south, or the sign missing?
+place-slip-longitude-sign = With longitudes of the other sign the positions would be there: is east written for west, or the sign missing?
+place-slip-both-signs = With latitudes and longitudes of the other sign the positions would be there: are the signs missing?
 place-slip-unknown = Is it the orthophoto of these images, is its system the right one, or are the positions wrong?
 
 # Why a block is not in the system of an orthophoto.
@@ -1640,11 +1653,13 @@ placing-weakness-camera = The points ask for { $camera_parameter } of { FIXED($e
 placing-weakness-height-factor = The points ask for differences of height { FIXED($factor, digits: 2) } ± { SIGNIFICANT($standard_error, digits: 1) } times those of the heights: check that the heights are of this ground, and in the unit of the orthophoto.
 placing-weakness-relief = In { PERCENT($displaced, digits: 0) } of the image the points lie together elsewhere than the heights put them: check that the heights are of this ground, and in the unit of the orthophoto. One level stands for level ground alone.
 placing-weakness-gnss = It lies { FIXED($plan_m, digits: 0) } m from its GNSS position in plan, where { FIXED($usual_m, digits: 0) } m are usual at most: check the coordinate system of the orthophoto, the heights and the position.
+placing-weakness-far-from-gnss = It lies { SIGNIFICANT($distance_km, digits: 3) } km from its GNSS position. { $place_slip }
 placing-weakness-noise = Residuals are { FIXED($rmse_px, digits: 2) } px in the root mean square, where good pictures reach { FIXED($usual_px, digits: 2) } px: check the heights and the age of the orthophoto.
 
 # How an image with a GNSS position was sought on an orthophoto.
 place-search-gnss = Found within { FIXED($within_m, digits: 0) } m of its GNSS position, { FIXED($plan_m, digits: 1) } m from it in plan.
 place-search-apart-from-gnss = It lies { FIXED($plan_m, digits: 0) } m from its GNSS position in plan, which is right to { FIXED($usual_m, digits: 0) } m as a rule: check the coordinate system of the orthophoto, the heights and the position.
+place-search-far-from-gnss = It lies { SIGNIFICANT($distance_km, digits: 3) } km from its GNSS position. { $place_slip }
 place-search-beyond-gnss = Not found within { FIXED($within_m, digits: 0) } m of its GNSS position; all of the orthophoto was searched.
 
 # What the place of an image is worth.

@@ -70,8 +70,9 @@ fn ends(definition: &Definition) -> Option<(CrsDef, CrsDef)> {
     Some((definition.crs().horizontal_crs().filter(|_| is_kept)?, lookup_epsg(WGS84)?))
 }
 
-fn no_shift(definition: &Definition) -> Refusal {
-    Refusal::NoDatumShift { crs: shorten(definition.text()), name: definition.name() }
+pub(super) fn no_shift(definition: &Definition) -> Refusal {
+    let (crs, name) = (shorten(definition.text()), definition.name());
+    Refusal::NoDatumShift { name: Some(name).filter(|name| *name != crs), crs }
 }
 
 /// About where coordinates are: near enough to choose the operation that holds there.

@@ -1,6 +1,7 @@
 //! The common system of two epipolar images: axes along the base, one focal length, rows that both show.
 
 use super::pair::StereoPair;
+use super::system::StereoSystem;
 use super::view::StereoView;
 use crate::error::refuse;
 use crate::math::median;
@@ -118,17 +119,19 @@ impl EpipolarGeometry {
         Ok(Self { parallaxes: made.parallaxes_of(&placed), ..made })
     }
 
-    /// The parameters as a file of JSON, with the names of the images.
+    /// The parameters as a file of JSON, with the names of the images and their system.
     pub fn file(&self, pair: &StereoPair) -> String {
         #[derive(Serialize)]
         struct File<'a> {
             left: &'a str,
             right: &'a str,
+            system: &'a StereoSystem,
             #[serde(flatten)]
             geometry: &'a EpipolarGeometry,
         }
         let [left, right] = pair.views.each_ref().map(|view| view.name.as_str());
-        serde_json::to_string_pretty(&File { left, right, geometry: self }).expect("numbers and names are written") + "\n"
+        serde_json::to_string_pretty(&File { left, right, system: &pair.system, geometry: self }).expect("numbers and names are written")
+            + "\n"
     }
 
     /// The matrix from the epipolar photo system to that of an image.

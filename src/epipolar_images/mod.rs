@@ -5,9 +5,11 @@
 mod geometry;
 mod pair;
 mod resample;
+mod system;
 mod view;
 
 pub use geometry::{EpipolarGeometry, Parallaxes};
 pub use pair::StereoPair;
 pub use resample::{EpipolarImages, write_anaglyph};
+pub use system::StereoSystem;
 pub use view::StereoView;

@@ -1,5 +1,6 @@
 //! Two oriented images of a project, with the points that both show.
 
+use super::system::StereoSystem;
 use super::view::StereoView;
 use crate::error::refuse;
 use crate::{BlockModel, BlockRun, Error, PairRun, Pose, Project, Refusal};
@@ -16,6 +17,8 @@ pub struct StereoPair {
     pub contents: [Option<String>; 2],
     /// Positions in the left and the right image of the points that the adjustment accepted in both.
     pub points_px: Vec<[[f64; 2]; 2]>,
+    /// The system of the views.
+    pub system: StereoSystem,
 }
 
 impl StereoPair {
@@ -62,7 +65,8 @@ impl StereoPair {
         oriented.rejected.iter().for_each(|index| accepted[*index] = false);
         let points_px = matches.iter().zip(accepted).filter(|(_, accepted)| *accepted).map(|(m, _)| [m.left_px, m.right_px]).collect();
         let contents = [left, right].map(|photo| photo.content.clone());
-        let pair = Self { views: [view(0), view(1)], is_swapped: false, contents, points_px };
+        let system = StereoSystem::Photo { image: left.name.clone() };
+        let pair = Self { views: [view(0), view(1)], is_swapped: false, contents, points_px, system };
         let is_swapped = names.map_or(pair.is_reversed(), |[first, _]| *first == right.name);
         Ok(if is_swapped { pair.swapped() } else { pair })
     }
@@ -94,6 +98,7 @@ impl StereoPair {
             is_swapped: images[0] > images[1],
             contents: images.map(|image| Some(run.images[image].content.clone())),
             points_px,
+            system: StereoSystem::of_block(run),
         };
         Ok(if names.is_none() && pair.is_reversed() { pair.swapped() } else { pair })
     }
@@ -107,7 +112,7 @@ impl StereoPair {
     fn swapped(self) -> Self {
         let ([left, right], [of_left, of_right]) = (self.views, self.contents);
         let points_px = self.points_px.into_iter().map(|[left, right]| [right, left]).collect();
-        Self { views: [right, left], is_swapped: !self.is_swapped, contents: [of_right, of_left], points_px }
+        Self { views: [right, left], is_swapped: !self.is_swapped, contents: [of_right, of_left], points_px, system: self.system }
     }
 }
 

@@ -87,6 +87,7 @@ pub fn write_anaglyph(images: &EpipolarImages) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::StereoSystem;
     use crate::camera::rotation_from_angles;
     use crate::{Camera, GreyImage, Pose, StereoView};
 
@@ -117,7 +118,8 @@ mod tests {
         let (left, of_left) = photographed([0.02, 0.05, 0.04], [0.0, 0.0, 60.0]);
         let (right, of_right) = photographed([-0.03, -0.04, -0.06], [25.0, 3.0, 62.0]);
         let geometry = EpipolarGeometry::new([&left, &right], &[]).unwrap();
-        let pair = StereoPair { views: [left, right], is_swapped: false, contents: [None, None], points_px: Vec::new() };
+        let system = StereoSystem::Block;
+        let pair = StereoPair { views: [left, right], is_swapped: false, contents: [None, None], points_px: Vec::new(), system };
         // The left one in colours: red as it is, green and blue by other values.
         let other = |of: fn(u8) -> u8| GreyImage::from_fn(300, 220, |c, r| of(of_left.view().at(c, r))).unwrap();
         let coloured = Bands::colours([of_left.clone(), other(|grey| 255 - grey), other(|grey| grey / 2)]).unwrap();

@@ -190,7 +190,8 @@ messages! {
         CrsText { crs: String, reason: String, projections: String },
         GeocentricCrs { crs: String },
         CrsAxes { crs: String },
-        NoDatumShift { crs: String, name: String },
+        /// `name`: absent where it is the text itself.
+        NoDatumShift { crs: String, name: Option<String> },
         CrsArea { crs: String, #[serde(with = "number")] longitude_deg: f64, #[serde(with = "number")] latitude_deg: f64, areas: String },
         CrsPlace { #[serde(with = "number")] x: f64, #[serde(with = "number")] y: f64, crs: String, degrees: bool },
         OutsideCrs { #[serde(with = "number")] longitude_deg: f64, #[serde(with = "number")] latitude_deg: f64, crs: String },
@@ -239,6 +240,8 @@ messages! {
         PlaceSystem { crs: String, failure: Failure },
         WorldFile { text: String },
         Georeference { numbers: String },
+        /// The numbers of a pixel as a world file has them.
+        MirroredPicture { #[serde(with = "number")] a: f64, #[serde(with = "number")] d: f64, #[serde(with = "number")] b: f64, #[serde(with = "number")] e: f64, rows_go_north: bool },
         Degrees,
         HeightCount { heights: usize, width: usize, height: usize },
         HeightRange { #[serde(with = "number")] low: f64, #[serde(with = "number")] high: f64 },

@@ -62,6 +62,16 @@ impl Georeference {
         self.gsd() < 1e-3 && corners.iter().all(|[x, y]| x.abs() <= 180.0 && y.abs() <= 90.0)
     }
 
+    /// Refuses to place a picture mirrored, as a world file does whose rows go north: points of mirrored pictures resemble none of the ground.
+    pub(crate) fn of_picture(self) -> Result<Self, Error> {
+        if self.determinant() > 0.0 {
+            let ([a, d], [b, e]) = (self.by_column, self.by_row);
+            let rows_go_north = a > 0.0 && e > 0.0;
+            return refuse(Refusal::MirroredPicture { a, d, b, e, rows_go_north });
+        }
+        Ok(self)
+    }
+
     fn determinant(&self) -> f64 {
         self.by_column[0] * self.by_row[1] - self.by_column[1] * self.by_row[0]
     }
@@ -125,6 +135,22 @@ mod tests {
         }
         let part = turned.from(100, 50).halved(1);
         assert!((0..2).all(|k| (part.ground([10.0, 20.0])[k] - turned.ground([120.0, 90.0])[k]).abs() < 1e-6));
+    }
+
+    #[test]
+    fn a_picture_that_is_mirrored_is_refused_and_a_turned_one_is_not() {
+        let of = |a: f64, d: f64, b: f64, e: f64| Georeference { origin: [5e5, 5e6], by_column: [a, d], by_row: [b, e] };
+        for mirrored in [of(0.5, 0.0, 0.0, 0.5), of(-0.5, 0.0, 0.0, -0.5), of(0.0, 0.5, -0.5, 0.0)] {
+            let told = mirrored.of_picture().unwrap_err();
+            let is_north = mirrored.by_row[1] > 0.0 && mirrored.by_column[0] > 0.0;
+            assert!(
+                matches!(&told, Error::InvalidInput { refusal: Refusal::MirroredPicture { rows_go_north, .. } } if *rows_go_north == is_north)
+            );
+            assert_eq!(told.to_string().contains("rows go north"), is_north, "{told}");
+        }
+        for turned in [of(0.5, 0.0, 0.0, -0.5), of(-0.5, 0.0, 0.0, 0.5), of(0.0, -0.5, -0.5, 0.0), of(0.3, 0.4, 0.4, -0.3)] {
+            assert_eq!(turned.of_picture().unwrap(), turned);
+        }
     }
 
     #[test]

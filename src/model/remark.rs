@@ -106,6 +106,12 @@ messages! {
         Unit { given_in: String },
         /// A coordinate of its middle was written wrong.
         Coordinate { likely: String },
+        /// The positions have latitude and longitude in each other's place.
+        ExchangedPositions,
+        /// The positions lie on the other side of the equator, of the zero meridian, or of both.
+        LatitudeSign,
+        LongitudeSign,
+        BothSigns,
         /// Nothing known brings it there.
         Unknown,
     }

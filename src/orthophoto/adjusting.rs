@@ -73,6 +73,12 @@ pub(super) fn variance_px2(link: &Found, camera: &Camera, pose: &Pose, errors: P
     link.measured_px * link.measured_px + 0.5 * of_place
 }
 
+/// The mean of the weights that links of these variances would have in px: by it they are 1 in the mean, so that σ₀ is the standard error of a usual
+/// coordinate.
+pub(super) fn mean_weight(variances_px2: &[f64]) -> f64 {
+    variances_px2.iter().map(|variance| 1.0 / variance).sum::<f64>() / variances_px2.len().max(1) as f64
+}
+
 /// Adjusts an image from an approximate camera and orientation. Rays of the result are the links in their order.
 ///
 /// Each place has one ray, so that errors of places cannot be told from those of the image: both weigh the ray together, and σ₀ is what they
@@ -83,15 +89,14 @@ pub(super) fn adjusted(
     (camera, pose): (Camera, Pose),
     errors: PlaceErrors,
 ) -> Result<AdjustmentResult, Error> {
-    // In the mean 1, so that σ₀ is the standard error of a usual coordinate.
-    let weights: Vec<f64> = links.iter().map(|link| 1.0 / variance_px2(link, &camera, &pose, errors)).collect();
-    let mean = weights.iter().sum::<f64>() / weights.len().max(1) as f64;
+    let variances: Vec<f64> = links.iter().map(|link| variance_px2(link, &camera, &pose, errors)).collect();
+    let mean = mean_weight(&variances);
     let ray = |(point, link): (usize, &Found)| BlockObservation {
         image: 0,
         point,
         x_px: link.at[0],
         y_px: link.at[1],
-        weight: (weights[point] / mean).max(LEAST_WEIGHT),
+        weight: (1.0 / (variances[point] * mean)).max(LEAST_WEIGHT),
         sigma_px: None,
     };
     let held = [HELD * errors.plan; 3];

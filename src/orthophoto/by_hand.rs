@@ -134,7 +134,7 @@ pub fn place_by_links(
     let over = Over { image: &[], shows: &|_| true, camera, pose, reference, georeference, heights: &heights };
     // The heights are what they were where the image was placed.
     let relief = Relief { factor: height_factor(&result, known), displaced: start.and_then(|start| start.relief.displaced) };
-    let mut placement = placement(&over, &found, &parts, &result, &total_errors(&result, known, errors), relief);
+    let mut placement = placement(&over, &found, &parts, &result, (&total_errors(&result, known, errors), errors), relief);
     placement.links.iter_mut().zip(links).for_each(|(link, given)| link.by_hand = given.by_hand);
     let placement = moved(placement, first);
     // What somebody rejected contradicts nothing.
@@ -211,6 +211,13 @@ mod tests {
         assert!(off < 2.0, "{off} m");
         assert_eq!(found.links.len(), 12);
         assert!(found.links[0].by_hand && !found.links[11].by_hand);
+        // σ₀ is what residuals are by the standard errors of their links; those that were measured by eye have larger ones.
+        let used = found.links.iter().filter(|link| link.role == crate::LinkUse::Used);
+        let by_sigma = used.filter_map(|link| Some((link.residual_px?, link.sigma_px?)));
+        let squares: f64 = by_sigma.map(|([x, y], sigma)| (x * x + y * y) / (sigma * sigma)).sum();
+        assert!((squares / found.degrees_of_freedom as f64 - 1.0).abs() < 0.02, "{squares} of {}", found.degrees_of_freedom);
+        let sigma = |link: usize| found.links[link].sigma_px.unwrap();
+        assert!(sigma(0) > sigma(11), "{} {}", sigma(0), sigma(11));
         // From there the next adjustment starts, and comes to the same.
         let again =
             place_by_links(&known(), None, &reference(), Some(&found), &links(12), &PlacingOptions::default()).unwrap().placement.unwrap();

@@ -99,7 +99,7 @@ fn fine(
     };
     (over.camera, over.pose) = (result.block.cameras[0], result.block.images[0].pose);
     let relief = Relief { factor: height_factor(&result, known), displaced: displaced(everywhere, &over.camera, &over.pose) };
-    let mut placement = placement(over, &links, &parts, &result, &total_errors(&result, known, errors), relief);
+    let mut placement = placement(over, &links, &parts, &result, (&total_errors(&result, known, errors), errors), relief);
     placement.links.retain(|link| link.residual_px.is_some());
     Ok(Ok(placement))
 }

@@ -32,42 +32,55 @@ impl Orthophoto {
         }
         let distance_km = 0.001 * nearest_m?;
         let definition = self.said().definition()?;
-        let gnss: Vec<[f64; 2]> = positions.iter().map(|position| [position.longitude_deg, position.latitude_deg]).collect();
-        let place_slip = place_slip(&definition, self.middle_in_system()?, &gnss, 0.5 * self.diagonal_m()?);
+        let place_slip = self.slip(self.middle(), positions, 0.5 * self.diagonal_m()?);
         let (images, crs) = (positions.len(), self.said().name().unwrap_or_else(|| definition.name()));
-        let place_slip = place_slip.unwrap_or(PlaceSlip::Unknown);
         Some(Remark::OrthophotoElsewhere { images, within_m, distance_km, crs, place_slip })
+    }
+
+    /// What would bring a place of it, and what lies about that within `extent_m`, to these positions.
+    pub(super) fn slip(&self, place: [f64; 2], positions: &[ExifPosition], extent_m: f64) -> PlaceSlip {
+        let gnss: Vec<[f64; 2]> = positions.iter().map(|position| [position.longitude_deg, position.latitude_deg]).collect();
+        let known = self.said().definition().zip(self.in_system(place));
+        known.and_then(|(definition, place)| place_slip(&definition, place, &gnss, extent_m)).unwrap_or(PlaceSlip::Unknown)
     }
 
     /// The distance of a position from the picture in plan; on it 0. Absent where nothing says it.
     fn away_m(&self, position: &ExifPosition) -> Option<f64> {
-        let Some(recorded) = recorded_place(position, self) else { return self.away_on_earth_m(position) };
+        let Some(recorded) = recorded_place(position, self) else { return self.from_on_earth_m(self.middle(), position) };
         let at = self.georeference.pixel(recorded.place);
         let size = self.size().map(|side| side as f64);
         let off = [0, 1].map(|k| at[k] - at[k].clamp(0.0, size[k]));
         Some(recorded.unit_m * self.georeference.gsd() * libm::hypot(off[0], off[1]))
     }
 
-    /// Of a position outside of its system: along the chord to its middle.
-    fn away_on_earth_m(&self, position: &ExifPosition) -> Option<f64> {
-        let [x, y] = self.middle_in_system()?;
+    /// The distance of a position outside of its system from a place of it, along the chord.
+    pub(super) fn from_on_earth_m(&self, place: [f64; 2], position: &ExifPosition) -> Option<f64> {
+        let [x, y] = self.in_system(place)?;
         let system = CoordinateSystem::about(self.said().definition()?, None, [x, y]).ok()?;
         let [longitude, latitude, _] = system.geographic([x, y, 0.0])?;
         let off = local_from_geographic([position.longitude_deg, position.latitude_deg, 0.0], [longitude, latitude, 0.0]);
         Some(dot3(&off, &off).sqrt())
     }
 
-    /// Its middle in the unit of its system, which may not be that of the picture.
-    fn middle_in_system(&self) -> Option<[f64; 2]> {
+    fn middle(&self) -> [f64; 2] {
+        self.georeference.ground(self.size().map(|side| 0.5 * side as f64))
+    }
+
+    /// A place in the unit of its system, which may not be that of the picture.
+    fn in_system(&self, place: [f64; 2]) -> Option<[f64; 2]> {
         let [unit_m, own_m] = self.units_m()?;
-        let middle = self.size().map(|side| 0.5 * side as f64);
-        Some(self.georeference.ground(middle).map(|v| v * unit_m / own_m))
+        Some(place.map(|v| v * unit_m / own_m))
     }
 
     fn diagonal_m(&self) -> Option<f64> {
-        let [unit_m, _] = self.units_m()?;
+        let unit_m = self.unit_m()?;
         let [width, height] = self.size().map(|side| side as f64);
         Some(unit_m * self.georeference.gsd() * libm::hypot(width, height))
+    }
+
+    /// The unit of the picture in m.
+    pub(super) fn unit_m(&self) -> Option<f64> {
+        Some(self.units_m()?[0])
     }
 
     /// The units of the picture and of its system in m.
@@ -187,5 +200,10 @@ mod tests {
             panic!("nothing is said")
         };
         assert!((10_000.0..13_000.0).contains(&distance_km), "{distance_km}");
+        // Latitude and longitude of the images stand in each other's place.
+        let exchanged = orthophoto(25_832, [x, y]).elsewhere(&[position([AT[1], AT[0]])], &PlacingOptions::default());
+        let Some(Remark::OrthophotoElsewhere { place_slip: PlaceSlip::ExchangedPositions, .. }) = exchanged else {
+            panic!("{exchanged:?}")
+        };
     }
 }

@@ -7,6 +7,7 @@ use crate::crs::Vertical;
 use crate::error::refuse;
 use crate::georeferenced::{GeoTags, MOST_VALUES, Numbers, SaidSystem, Sidecars, range_of};
 use crate::image::is_tiff;
+use crate::pipeline::{is_unit, unit_name};
 use crate::source::read_all;
 use crate::{Document, Error, FileSource, Refusal};
 use std::borrow::Cow;
@@ -78,6 +79,17 @@ impl Heights {
         }
     }
 
+    /// The unit in which their file says that they are, where they were converted from it to that of the ground.
+    pub fn given_in(&self) -> Option<String> {
+        match self {
+            Self::Level(_) => None,
+            Self::Model(model) => {
+                let (given_m, unit_m) = model.said.height_unit_m.zip(model.unit_m)?;
+                (!is_unit(given_m, unit_m)).then(|| unit_name(given_m))
+            }
+        }
+    }
+
     /// What they count from, as the name of a vertical system, where their file says it.
     pub fn counts_from(&self) -> Option<String> {
         self.vertical().map(|vertical| vertical.name)
@@ -133,6 +145,13 @@ impl HeightModel {
     pub(super) fn counting_from(self, height_code: u16) -> Self {
         let said = SaidSystem { height_code: Some(height_code), ..(*self.said).clone() };
         Self { said: Arc::new(said), ..self }
+    }
+
+    /// The same from a file that says this unit, in m.
+    #[cfg(test)]
+    pub(super) fn said_in(self, unit_m: f64) -> Self {
+        let said = SaidSystem { height_unit_m: Some(unit_m), ..(*self.said).clone() };
+        Self { unit_m: Some(unit_m), said: Arc::new(said), ..self }
     }
 
     /// Takes heights row by row; what is not finite is a hole.

@@ -183,8 +183,6 @@ pub(super) struct RecordedPlace {
     pub place: [f64; 2],
     /// The unit of the orthophoto in m.
     pub unit_m: f64,
-    /// The standard error that the image states, in m.
-    pub stated_m: Option<f64>,
 }
 
 /// Where an orthophoto has the position of an image; absent where it does not say its system, and where the position lies outside that.
@@ -193,10 +191,10 @@ pub(super) fn recorded_place(position: &ExifPosition, orthophoto: &Orthophoto) -
     let definition = said.definition()?;
     let own_m = definition.unit_m()?;
     let unit_m = said.unit_m.unwrap_or(own_m);
-    let ExifPosition { longitude_deg, latitude_deg, height_m, error_m } = *position;
+    let ExifPosition { longitude_deg, latitude_deg, height_m, .. } = *position;
     let system = CoordinateSystem::new(definition, None, [longitude_deg, latitude_deg]).ok()?;
     let [x, y, _] = system.coordinates([longitude_deg, latitude_deg, height_m.unwrap_or(0.0)])?;
-    Some(RecordedPlace { place: [x, y].map(|v| v * own_m / unit_m), unit_m, stated_m: error_m })
+    Some(RecordedPlace { place: [x, y].map(|v| v * own_m / unit_m), unit_m })
 }
 
 /// The way from one system to another by WGS 84.

@@ -2,7 +2,7 @@
 
 use super::relief::Relief;
 use crate::message::messages;
-use crate::{Camera, CameraParameter, Failure, FilmScan, Pose};
+use crate::{Camera, CameraParameter, Failure, FilmScan, PlaceSlip, Pose};
 use serde::{Deserialize, Serialize};
 
 messages! {
@@ -47,6 +47,8 @@ messages! {
         Relief { displaced: f64 },
         /// It lies farther from its GNSS position, in plan, than receivers err and the place itself may be off.
         Gnss { plan_m: f64, usual_m: f64 },
+        /// It lies so far from its GNSS position that one of them is of elsewhere, and what would bring one to the other.
+        FarFromGnss { distance_km: f64, place_slip: PlaceSlip },
         /// Links disagree far more than those of good pictures do.
         Noise { rmse_px: f64, usual_px: f64 },
     }
@@ -86,6 +88,8 @@ messages! {
         },
         /// It was found farther from its position, in plan, than receivers of cameras err, and is doubted for another reason.
         ApartFromGnss { plan_m: f64, usual_m: f64 },
+        /// It was found so far from its position that one of them is of elsewhere, and is doubted for another reason.
+        FarFromGnss { distance_km: f64, place_slip: PlaceSlip },
         /// It was not: all that may be searched was.
         BeyondGnss { within_m: f64 },
     }
@@ -114,6 +118,9 @@ pub struct Link {
     pub place: [f64; 3],
     /// Observed minus computed column and row in px; absent where the image does not see the place.
     pub residual_px: Option<[f64; 2]>,
+    /// Standard error of each of its coordinates in the image, in px, in which that of its place has its part; absent without redundancy.
+    #[serde(default)]
+    pub sigma_px: Option<f64>,
     pub role: LinkUse,
     /// Whether it was measured by eye.
     #[serde(default)]

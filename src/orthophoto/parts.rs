@@ -166,6 +166,14 @@ impl Level<'_> {
         }
     }
 
+    /// Whether there is anything of a part; it shows nothing else.
+    fn holds_any(&self, first: [usize; 2], size: [usize; 2]) -> bool {
+        match self {
+            Self::OfFile(raster, halvings) => raster.holds_any(*halvings, first, size),
+            Self::Made(_) => true,
+        }
+    }
+
     fn own(&self, first: [usize; 2], size: [usize; 2], wanted: Wanted) -> Result<Pixels, Error> {
         match self {
             Self::OfFile(raster, halvings) => raster.read(*halvings, first, size, wanted),
@@ -191,7 +199,15 @@ impl Level<'_> {
         for (top, left) in (0..height).step_by(side).flat_map(|top| (0..width).step_by(side).map(move |left| (top, left))) {
             let [columns, rows] = [(width - left).min(side), (height - top).min(side)];
             let piece = [columns << further, rows << further];
-            let own = self.own([(first[0] + left) << further, (first[1] + top) << further], piece, wanted)?;
+            let from = [(first[0] + left) << further, (first[1] + top) << further];
+            // Most of a sparse picture is of nothing, halved as before.
+            if !self.holds_any(from, piece) {
+                continue;
+            }
+            let own = self.own(from, piece, wanted)?;
+            if own.nothing.iter().all(|nothing| *nothing) && own.bands.iter().flatten().all(|value| *value == 0) {
+                continue;
+            }
             // What shows nothing in all of its pixels is white in the mean.
             let nothing = own.nothing.into_iter().map(|nothing| if nothing { 255 } else { 0 }).collect();
             let reduced = |values: Vec<u8>| GreyImage::new(piece[0], piece[1], values).map(|image| halved(image, further));
@@ -315,6 +331,58 @@ mod tests {
             assert!(parts.shown([0, 0], [2, 2], 16).unwrap().iter().all(|value| *value == 0));
             assert!(parts.shown([usize::MAX - 3, 0], [2, 2], 0).unwrap().iter().all(|value| *value == 0));
         }
+    }
+
+    /// A TIFF of one directory without its strips of nothing but 0, as sparse ones leave them out.
+    fn without_empty_strips(mut file: Vec<u8>) -> (Vec<u8>, usize) {
+        let four = |file: &[u8], at: usize| u32::from_le_bytes(file[at..at + 4].try_into().unwrap()) as usize;
+        let directory = four(&file, 4);
+        let entry = |file: &[u8], tag: u16| {
+            let number = usize::from(file[directory]);
+            let entries = (0..number).map(|k| directory + 2 + 12 * k);
+            let at = entries.into_iter().find(|at| file[*at..at + 2] == tag.to_le_bytes()).unwrap();
+            (four(file, at + 4), four(file, at + 8))
+        };
+        let ((number, offsets), (_, lengths)) = (entry(&file, 273), entry(&file, 279));
+        let mut held = 0;
+        for k in 0..number {
+            let [from, length] = [offsets, lengths].map(|of| four(&file, of + 4 * k));
+            if file[from..from + length].iter().all(|byte| *byte == 0) {
+                [offsets, lengths].iter().for_each(|of| file[of + 4 * k..of + 4 * k + 4].fill(0));
+            } else {
+                held += 1;
+            }
+        }
+        (file, held)
+    }
+
+    #[test]
+    fn of_a_sparse_picture_no_more_is_decoded_and_halved_than_its_file_holds() {
+        let grey =
+            GreyImage::from_fn(
+                3000,
+                12_000,
+                |c, r| if (600..2500).contains(&r) { 20 + ((c / 9 * 31 + r / 7 * 17) % 200) as u8 } else { 0 },
+            );
+        let mut file = std::io::Cursor::new(Vec::new());
+        let mut encoder = TiffEncoder::new(&mut file).unwrap();
+        let mut image = encoder.new_image::<Gray8>(3000, 12_000).unwrap();
+        image.rows_per_strip(256).unwrap();
+        image.write_data(grey.unwrap().data()).unwrap();
+        let full = file.into_inner();
+        let (sparse, held) = without_empty_strips(full.clone());
+        assert_eq!(held, 8);
+        let read = |file: Vec<u8>| {
+            let source: Arc<dyn FileSource> = Arc::new(file);
+            let parts = Parts::new(TiffRaster::open(source, None, 1 << 20).unwrap().unwrap());
+            let patch = parts.patch([0, 0], [3000, 12_000], 2).unwrap();
+            (patch.grey, patch.mask, parts.raster.number_kept())
+        };
+        let (grey, mask, decoded) = read(sparse);
+        // With those of its piece: 4096 rows.
+        assert_eq!(decoded, 16);
+        let whole = read(full);
+        assert!(grey == whole.0 && mask == whole.1);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! What an adjustment by links says of the place of an image.
 
+use super::adjusting::{PlaceErrors, mean_weight, variance_px2};
 use super::links::{Found, Over};
 use super::outcome::{Link, LinkChecks, LinkUse, Placement};
 use super::precision::TotalErrors;
@@ -26,13 +27,17 @@ pub(super) fn placement(
     links: &[Found],
     parts: &[Part],
     result: &AdjustmentResult,
-    errors: &TotalErrors,
+    (errors, of_places): (&TotalErrors, PlaceErrors),
     relief: Relief,
 ) -> Placement {
     let (camera, pose) = (over.camera, over.pose);
     let seen = Seen::new(&camera, &pose);
+    let variances: Vec<f64> = links.iter().map(|link| variance_px2(link, &camera, &pose, of_places)).collect();
+    let used: Vec<f64> = variances.iter().zip(parts).filter(|(_, part)| **part == Part::Used).map(|(variance, _)| *variance).collect();
+    let mean = mean_weight(&used);
     let mut rays = result.rays.iter();
-    let linked = links.iter().zip(parts).map(|(link, part)| {
+    let linked = links.iter().zip(parts).zip(&variances).map(|((link, part), variance)| {
+        let sigma_px = result.sigma0_px.map(|sigma0| sigma0 * (variance * mean).sqrt());
         let residual_px = seen.at(&link.place).map(|at| [link.at[0] - at[0], link.at[1] - at[1]]);
         let role = match part {
             Part::Check => LinkUse::Check,
@@ -42,7 +47,7 @@ pub(super) fn placement(
                 _ => LinkUse::Rejected,
             },
         };
-        Link { at: link.at, place: link.place, residual_px, role, by_hand: false }
+        Link { at: link.at, place: link.place, residual_px, sigma_px, role, by_hand: false }
     });
     let links: Vec<Link> = linked.collect();
     let gsd_m = over.footprint().gsd();

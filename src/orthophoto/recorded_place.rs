@@ -3,7 +3,7 @@
 use super::adjusting::PlacingCamera;
 use super::into_system::{RecordedPlace, recorded_place};
 use super::options::PlacingOptions;
-use super::outcome::{PlaceSearch, PlacedImage, PlacingVerdict, PlacingWeakness};
+use super::outcome::{PlaceSearch, PlacedImage, Placement, PlacingVerdict, PlacingWeakness};
 use super::place::place_image;
 use super::reference::Orthophoto;
 use super::search_area::SearchArea;
@@ -33,9 +33,12 @@ pub(super) fn sought(
     options: &PlacingOptions,
     mut place: impl FnMut(&SearchArea) -> Result<PlacedImage, Error>,
 ) -> Result<PlacedImage, Error> {
-    let Some(on_map) = on_map(position, reference, options) else { return place(area) };
-    let RecordedPlace { place: at, unit_m, .. } = on_map;
+    let Some(recorded) = Recorded::of(position, reference, options) else { return place(area) };
     let within_m = options.within_m;
+    let Some(RecordedPlace { place: at, unit_m, .. }) = recorded.on_map else {
+        let placed = PlacedImage { search: Some(PlaceSearch::BeyondGnss { within_m }), ..place(area)? };
+        return Ok(recorded.beside(placed));
+    };
     let within = within_m / unit_m;
     let about = PlacingOptions { near_x: Some(at[0]), near_y: Some(at[1]), within_m: within, ..options.clone() };
     let areas = Areas {
@@ -45,13 +48,65 @@ pub(super) fn sought(
         dense: || area.is_sparse.then(|| SearchArea::new(reference, &about).ok()).flatten(),
     };
     let placed = areas.searched(within_m, place)?;
-    Ok(beside_position(placed, &on_map))
+    Ok(recorded.beside(placed))
 }
 
-/// Where an orthophoto has the position of an image, unless another place is given by the options, which goes before it.
-fn on_map(position: Option<&ExifPosition>, reference: &Orthophoto, options: &PlacingOptions) -> Option<RecordedPlace> {
-    let is_free = options.near_x.is_none() && options.near_y.is_none();
-    position.filter(|_| is_free).and_then(|position| recorded_place(position, reference))
+/// The position of an image beside an orthophoto whose system is known.
+struct Recorded<'a> {
+    position: &'a ExifPosition,
+    reference: &'a Orthophoto,
+    /// Absent where it lies outside of that system.
+    on_map: Option<RecordedPlace>,
+}
+
+impl<'a> Recorded<'a> {
+    /// Absent where another place is given by the options, which goes before it.
+    fn of(position: Option<&'a ExifPosition>, reference: &'a Orthophoto, options: &PlacingOptions) -> Option<Self> {
+        let is_free = options.near_x.is_none() && options.near_y.is_none();
+        let position = position.filter(|_| is_free && reference.is_on_earth())?;
+        Some(Self { position, reference, on_map: recorded_place(position, reference) })
+    }
+
+    /// An image that was placed, with how far that is from its position in plan: heights of another ground and another system of the orthophoto show there
+    /// alone. Where it is farther than both may err, it is placed with doubt.
+    fn beside(&self, placed: PlacedImage) -> PlacedImage {
+        let Some((plan_m, usual_m, place)) = placed.placement.as_ref().and_then(|placement| self.apart(placement)) else { return placed };
+        let search = match placed.search {
+            Some(PlaceSearch::Gnss { within_m, .. }) => Some(PlaceSearch::Gnss { within_m, plan_m }),
+            other => other,
+        };
+        if !(plan_m > usual_m) {
+            return PlacedImage { search, ..placed };
+        }
+        let far = (plan_m > FAR_M).then(|| (0.001 * plan_m, self.reference.slip(place, std::slice::from_ref(self.position), 0.0)));
+        match (placed.verdict, far) {
+            (PlacingVerdict::Placed { links, .. }, far) => {
+                let placing_weakness = match far {
+                    Some((distance_km, place_slip)) => PlacingWeakness::FarFromGnss { distance_km, place_slip },
+                    None => PlacingWeakness::Gnss { plan_m, usual_m },
+                };
+                PlacedImage { verdict: PlacingVerdict::Weak { links, placing_weakness }, search, ..placed }
+            }
+            // What is doubted already says its own reason first.
+            (verdict, Some((distance_km, place_slip))) => {
+                PlacedImage { verdict, search: Some(PlaceSearch::FarFromGnss { distance_km, place_slip }), ..placed }
+            }
+            (verdict, None) => PlacedImage { verdict, search: Some(PlaceSearch::ApartFromGnss { plan_m, usual_m }), ..placed },
+        }
+    }
+
+    /// How far an image lies from its position in plan and how far it may lie from it, in m, and where it is. Absent where nothing says the first: the
+    /// orthophoto is nowhere on the earth in its own system.
+    fn apart(&self, placement: &Placement) -> Option<(f64, f64, [f64; 2])> {
+        let [x, y, _] = placement.pose.position;
+        let (plan_m, unit_m) = match &self.on_map {
+            Some(RecordedPlace { place, unit_m }) => (unit_m * libm::hypot(x - place[0], y - place[1]), *unit_m),
+            None => (self.reference.from_on_earth_m([x, y], self.position)?, self.reference.unit_m()?),
+        };
+        let own_m = placement.position_errors_m.map_or(0.0, |[x, y, _]| unit_m * libm::hypot(x, y));
+        let usual_m = libm::hypot(USUAL_M.max(STATED * self.position.error_m.unwrap_or(0.0)), STATED * own_m);
+        Some((plan_m, usual_m, [x, y]))
+    }
 }
 
 /// An image that was placed without a search, judged beside its position as one that was sought.
@@ -61,8 +116,8 @@ pub(super) fn judged(
     reference: &Orthophoto,
     options: &PlacingOptions,
 ) -> PlacedImage {
-    match on_map(position, reference, options) {
-        Some(on_map) => beside_position(placed, &on_map),
+    match Recorded::of(position, reference, options) {
+        Some(recorded) => recorded.beside(placed),
         None => placed,
     }
 }
@@ -70,29 +125,8 @@ pub(super) fn judged(
 /// Receivers of cameras are right to some 10 m: three times that, or what they state themselves, are no usual error.
 const USUAL_M: f64 = 30.0;
 const STATED: f64 = 3.0;
-
-/// With how far the image was placed from its position in plan: heights of another ground and another system of the orthophoto show there alone. Where it is
-/// farther than both may err, it is placed with doubt.
-fn beside_position(placed: PlacedImage, on_map: &RecordedPlace) -> PlacedImage {
-    let Some(placement) = &placed.placement else { return placed };
-    let [x, y] = [0, 1].map(|k| placement.pose.position[k] - on_map.place[k]);
-    let plan_m = on_map.unit_m * libm::hypot(x, y);
-    let own_m = placement.position_errors_m.map_or(0.0, |[x, y, _]| on_map.unit_m * libm::hypot(x, y));
-    let usual_m = libm::hypot(USUAL_M.max(STATED * on_map.stated_m.unwrap_or(0.0)), STATED * own_m);
-    let search = match placed.search {
-        Some(PlaceSearch::Gnss { within_m, .. }) => Some(PlaceSearch::Gnss { within_m, plan_m }),
-        other => other,
-    };
-    match placed.verdict {
-        PlacingVerdict::Placed { links, .. } if plan_m > usual_m => {
-            let verdict = PlacingVerdict::Weak { links, placing_weakness: PlacingWeakness::Gnss { plan_m, usual_m } };
-            PlacedImage { verdict, search, ..placed }
-        }
-        // What is doubted already says its own reason first.
-        _ if plan_m > usual_m => PlacedImage { search: Some(PlaceSearch::ApartFromGnss { plan_m, usual_m }), ..placed },
-        _ => PlacedImage { search, ..placed },
-    }
-}
+/// Beyond this, and what it states, no receiver is wrong by itself: one of the two is of elsewhere.
+const FAR_M: f64 = 5_000.0;
 
 /// Where an image that records its position is sought.
 struct Areas<'a, D: FnOnce() -> Option<SearchArea>> {
@@ -134,7 +168,7 @@ mod tests {
     use super::*;
     use crate::orthophoto::outcome::{NotPlaced, Placement};
     use crate::orthophoto::relief::Relief;
-    use crate::{Camera, Feature, Pose, ScalePoint};
+    use crate::{Camera, Feature, Georeference, GreyImage, Heights, PlaceSlip, Pose, ScalePoint};
 
     /// An image with that position and standard errors in m, judged as given.
     fn placed_at(position: [f64; 3], errors: Option<[f64; 3]>, verdict: PlacingVerdict) -> PlacedImage {
@@ -160,13 +194,32 @@ mod tests {
         PlacedImage { verdict, placement: Some(placement), search: Some(PlaceSearch::Gnss { within_m: 500.0, plan_m: 0.0 }) }
     }
 
+    /// An orthophoto in zone 32 of UTM, whose images are about 8° and 50°.
+    fn reference(epsg: u16) -> Orthophoto {
+        let grey = GreyImage::from_fn(64, 64, |_, _| 90).unwrap();
+        let mut reference = Orthophoto::new(grey, Georeference::north_up(AT, 1.0), Heights::Level(0.0)).unwrap();
+        reference.epsg = Some(epsg);
+        reference
+    }
+
+    /// 8° and 50° in EPSG:25832 and in EPSG:32632.
+    const AT: [f64; 2] = [428_333.552_5, 5_539_109.814_8];
+
+    fn recorded(longitude_deg: f64, latitude_deg: f64, error_m: Option<f64>) -> ExifPosition {
+        ExifPosition { longitude_deg, latitude_deg, height_m: Some(600.0), error_m }
+    }
+
     #[test]
     fn an_image_far_from_its_gnss_position_is_placed_with_doubt_unless_either_may_be_as_far_off() {
         let sure = || PlacingVerdict::Placed { links: 400, sigma0_px: 0.3, half_width_m: 0.2 };
-        let of = |plan_m: f64, errors: Option<[f64; 3]>, unit_m: f64, stated_m: Option<f64>| {
-            let on_map = RecordedPlace { place: [1000.0, 2000.0], unit_m, stated_m };
-            let placed = placed_at([1000.0 + 0.6 * plan_m / unit_m, 2000.0 - 0.8 * plan_m / unit_m, 600.0], errors, sure());
-            beside_position(placed, &on_map)
+        let reference = reference(25_832);
+        let at = |plan_m: f64, unit_m: f64| [1000.0 + 0.6 * plan_m / unit_m, 2000.0 - 0.8 * plan_m / unit_m, 600.0];
+        let beside = |placed: PlacedImage, unit_m: f64, error_m: Option<f64>| {
+            let on_map = Some(RecordedPlace { place: [1000.0, 2000.0], unit_m });
+            Recorded { position: &recorded(8.0, 50.0, error_m), reference: &reference, on_map }.beside(placed)
+        };
+        let of = |plan_m: f64, errors: Option<[f64; 3]>, unit_m: f64, error_m: Option<f64>| {
+            beside(placed_at(at(plan_m, unit_m), errors, sure()), unit_m, error_m)
         };
         let near = of(29.0, Some([0.1; 3]), 1.0, None);
         assert_eq!(near.verdict, sure());
@@ -183,6 +236,7 @@ mod tests {
         // A receiver that states more, and a place that is hardly known: 3 · hypot(12, 12) m beside 30 m.
         for (placed, limit_m) in [
             (of(59.0, Some([0.1; 3]), 1.0, Some(20.0)), 60.0),
+            (of(5900.0, Some([0.1; 3]), 1.0, Some(2000.0)), 6000.0),
             (of(58.0, Some([12.0; 3]), 1.0, None), libm::hypot(30.0, 36.0 * std::f64::consts::SQRT_2)),
         ] {
             assert_eq!(placed.verdict, sure(), "{limit_m}");
@@ -192,10 +246,49 @@ mod tests {
         }
         // Another doubt stays, and the distance is said beside it.
         let weak = PlacingVerdict::Weak { links: 20, placing_weakness: PlacingWeakness::FewLinks { links: 20, needed: 30 } };
-        let on_map = RecordedPlace { place: [0.0, 0.0], unit_m: 1.0, stated_m: None };
-        let doubted = beside_position(placed_at([400.0, 0.0, 600.0], Some([0.1; 3]), weak.clone()), &on_map);
-        assert_eq!(doubted.verdict, weak);
-        assert!(matches!(doubted.search, Some(PlaceSearch::ApartFromGnss { plan_m: 400.0, .. })), "{:?}", doubted.search);
+        for (plan_m, is_far) in [(400.0, false), (8000.0, true)] {
+            let doubted = beside(placed_at(at(plan_m, 1.0), Some([0.1; 3]), weak.clone()), 1.0, None);
+            assert_eq!(doubted.verdict, weak);
+            let is_said = match doubted.search {
+                Some(PlaceSearch::ApartFromGnss { plan_m: apart_m, .. }) => !is_far && (apart_m - plan_m).abs() < 1e-6,
+                Some(PlaceSearch::FarFromGnss { distance_km, .. }) => is_far && (1000.0 * distance_km - plan_m).abs() < 1e-6,
+                _ => false,
+            };
+            assert!(is_said, "{:?}", doubted.search);
+        }
+    }
+
+    #[test]
+    fn an_image_of_elsewhere_is_doubted_with_the_slip_also_where_its_position_lies_outside_the_system() {
+        // Placed where it was taken, as the orthophoto has it: ETRS89 has no operation outside of Europe, WGS 84 everywhere.
+        let judged = |epsg: u16, at: [f64; 2], position: ExifPosition| {
+            let sure = PlacingVerdict::Placed { links: 400, sigma0_px: 0.3, half_width_m: 0.2 };
+            let placed = PlacedImage { search: None, ..placed_at([at[0], at[1], 600.0], Some([0.1; 3]), sure) };
+            judged(placed, Some(&position), &reference(epsg), &PlacingOptions::default()).verdict
+        };
+        let far = |epsg: u16, at: [f64; 2], position: ExifPosition| match judged(epsg, at, position) {
+            PlacingVerdict::Weak { placing_weakness: PlacingWeakness::FarFromGnss { distance_km, place_slip }, .. } => {
+                (distance_km, place_slip)
+            }
+            other => panic!("{other}"),
+        };
+        for epsg in [25_832, 32_632] {
+            assert!(matches!(judged(epsg, AT, recorded(8.0, 50.0, None)), PlacingVerdict::Placed { .. }), "{epsg}");
+            for (position, slip) in [
+                (recorded(50.0, 8.0, None), PlaceSlip::ExchangedPositions),
+                (recorded(8.0, -50.0, None), PlaceSlip::LatitudeSign),
+                (recorded(-8.0, 50.0, None), PlaceSlip::LongitudeSign),
+                (recorded(-120.0, -40.0, None), PlaceSlip::Unknown),
+            ] {
+                let (distance_km, place_slip) = far(epsg, AT, position);
+                assert!(place_slip == slip && distance_km > 500.0, "{epsg}: {distance_km} {place_slip:?}");
+            }
+        }
+        let here = || recorded(8.0, 50.0, None);
+        assert_eq!(far(25_832, [AT[1], AT[0]], here()).1, PlaceSlip::Exchanged);
+        assert_eq!(far(32_732, AT, here()).1, PlaceSlip::OtherHalf);
+        let (distance_km, place_slip) = far(25_833, AT, here());
+        assert!(place_slip == PlaceSlip::Zone { zone: 32 } && (400.0..450.0).contains(&distance_km), "{distance_km}");
     }
 
     #[test]

@@ -48,11 +48,11 @@ impl Orthophoto {
     /// Takes grey values with their place.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] for a georeference that places nothing.
+    /// [`Error::InvalidInput`] for a georeference that places nothing, or the picture mirrored.
     pub fn new(grey: GreyImage, georeference: Georeference, heights: Heights) -> Result<Self, Error> {
         let nothing: Vec<bool> = grey.data().iter().map(|value| *value == EMPTY).collect();
         let picture = Picture::whole(grey, &nothing);
-        Ok(Self { georeference: georeference.checked()?, heights, epsg: None, said: SaidSystem::default(), picture })
+        Ok(Self { georeference: georeference.checked()?.of_picture()?, heights, epsg: None, said: SaidSystem::default(), picture })
     }
 
     /// Reads a GeoTIFF, or any image with a world file beside it.
@@ -69,7 +69,7 @@ impl Orthophoto {
     /// Nothing is shown where alpha is 0; without alpha where all colours have the value that the file names for no data, or else grey is 0.
     ///
     /// # Errors
-    /// As [`decode`]; [`Error::InvalidInput`] for a file that does not say where it lies, or says it in degrees, and for heights of another system.
+    /// As [`decode`]; [`Error::InvalidInput`] for a file that does not say where it lies, or says it in degrees or mirrored, and for heights of another system.
     pub fn open(file: Arc<dyn FileSource>, sidecars: impl Into<Sidecars>, heights: Heights, limits: &DecodeLimits) -> Result<Self, Error> {
         let sidecars = sidecars.into();
         let mut tags = GeoTags::default();
@@ -95,12 +95,13 @@ impl Orthophoto {
             (None, Some(text)) => Georeference::read_world_file(text)?,
             (None, None) => return refuse(Refusal::PictureWithoutPlace { format: format.into() }),
         };
+        let georeference = georeference.checked()?.of_picture()?;
         if georeference.is_in_degrees(picture.size()) {
             return refuse_degrees();
         }
         let said = sidecars.system(tags.system)?;
         let heights = heights.for_ground(&Ground::said(&said))?;
-        Ok(Self { picture, georeference: georeference.checked()?, heights, epsg: said.epsg, said })
+        Ok(Self { picture, georeference, heights, epsg: said.epsg, said })
     }
 
     /// Gives its ground other heights.
@@ -319,6 +320,9 @@ mod tests {
         let file = crate::write_png(GreyImage::from_fn(20, 20, |c, _| c as u8).unwrap().view(), None);
         let read = |world: Option<&str>| Orthophoto::read(&file, world, Heights::Level(0.0), &DecodeLimits::default());
         assert!(read(None).unwrap_err().to_string().contains("does not say where it lies"));
+        // Rows that go north would show the ground mirrored.
+        let told = read(Some("2 0 0 2 101 199")).unwrap_err().to_string();
+        assert!(told.contains("A = 2, D = 0, B = 0, E = 2") && told.contains("allowed: rows that go south"), "{told}");
         assert_eq!(read(Some("2 0 0 -2 101 199")).unwrap().georeference, Georeference::north_up([100.0, 200.0], 2.0));
     }
 
@@ -347,6 +351,13 @@ mod tests {
             assert_eq!(orthophoto.heights, heights);
         }
         assert!(read(None, of(Some(25_833))).is_ok());
+        // In feet, as their file says: in m, the unit of the orthophoto.
+        orthophoto.set_heights(of(Some(25_832))).unwrap();
+        assert_eq!(orthophoto.heights.given_in(), None);
+        let in_feet = |model: HeightModel| Heights::Model(model.said_in(0.3048));
+        orthophoto.set_heights(in_feet(model.clone())).unwrap();
+        assert_eq!(orthophoto.heights.given_in().as_deref(), Some("ft"));
+        assert!(orthophoto.heights.range().iter().all(|height| (height - 7.0 * 0.3048).abs() < 1e-6), "{:?}", orthophoto.heights.range());
         // Elsewhere.
         let beside = HeightModel::new(40, 40, vec![7.0; 1600], Georeference::north_up([0.0, 0.0], 1.0)).unwrap();
         assert!(orthophoto.set_heights(Heights::Model(beside)).unwrap_err().to_string().contains("none under the orthophoto"));

@@ -120,6 +120,7 @@ mod tests {
             at: [8.0 * (k % 100) as f64, 6.0 * k as f64],
             place: [0.0; 3],
             residual_px: Some([0.1, 0.1]),
+            sigma_px: Some(0.2),
             role: LinkUse::Used,
             by_hand: false,
         };

@@ -1,7 +1,8 @@
 //! GNSS positions of a table beside those that the files of the images record: a wrong system shows there before it shows anywhere else.
 
+use super::place_slip::of_coordinates;
 use super::result::RunImage;
-use super::system::{middle_of_places, place_slip};
+use super::system::middle_of_places;
 use crate::crs::{CoordinateSystem, Definition};
 use crate::math::median;
 use crate::{BlockWarning, ExifPosition, GeoreferencingOptions, local_from_geographic};
@@ -47,7 +48,7 @@ fn elsewhere(both: &[Both], given: usize, in_crs: bool, definition: impl FnOnce(
         let system = CoordinateSystem::new(definition.clone(), None, middle).ok()?;
         let [x, y, _] = system.coordinates([middle[0], middle[1], 0.0])?;
         let recorded: Vec<[f64; 2]> = both.iter().map(|one| one.recorded).collect();
-        place_slip(&definition, [x, y], &recorded, 0.0)
+        of_coordinates(&definition, [x, y], &recorded, 0.0)
     };
     Some(BlockWarning::PositionsElsewhere { images: both.len(), distance_km, place_slip: slip(), in_crs })
 }

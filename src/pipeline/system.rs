@@ -5,9 +5,7 @@ use crate::error::refuse;
 use crate::formats::{LENGTHS, StatedUnit};
 use crate::math::{dot3, median, turn};
 use crate::reconstruction::Doubted;
-use crate::{
-    Axis, Error, GeoreferencingOptions, GroundControlPoint, Input, Mistake, ObservedPosition, PlaceSlip, Refusal, local_from_geographic,
-};
+use crate::{Axis, Error, GeoreferencingOptions, GroundControlPoint, Input, Mistake, ObservedPosition, Refusal, local_from_geographic};
 
 /// No block has ground control points farther from its images.
 pub(super) const MOST_KM: f64 = 100.0;
@@ -93,12 +91,12 @@ pub(super) fn looks_like_degrees([x, y]: [f64; 2]) -> bool {
 const MOST_FROM_MERIDIAN_DEG: f64 = 4.0;
 
 /// Whether two units of length are one, as far as tables tell them apart.
-fn is_unit(length_m: f64, other_m: f64) -> bool {
+pub(crate) fn is_unit(length_m: f64, other_m: f64) -> bool {
     (length_m / other_m - 1.0).abs() < ALIKE
 }
 
 /// What a unit of length is called.
-fn unit_name(unit_m: f64) -> String {
+pub(crate) fn unit_name(unit_m: f64) -> String {
     let named = LENGTHS.iter().find(|(_, own_m)| is_unit(*own_m, unit_m)).map(|(name, _)| (*name).to_string());
     named.unwrap_or_else(|| format!("{unit_m} m"))
 }
@@ -141,7 +139,7 @@ fn in_other_unit(placing: &GeoreferencingOptions, control: &[[f64; 2]], gnss: &[
 
 /// The unit in which coordinates in the plane of a system, that cannot be there, would be, and that of the system. `images`: the middle of the GNSS positions
 /// and how far from it, in m, coordinates are near them.
-fn unit_beside(definition: &Definition, [x, y]: [f64; 2], images: Option<([f64; 2], f64)>) -> Option<(&'static str, String)> {
+pub(super) fn unit_beside(definition: &Definition, [x, y]: [f64; 2], images: Option<([f64; 2], f64)>) -> Option<(&'static str, String)> {
     let unit_m = definition.unit_m()?;
     let is_there = |factor: f64| {
         let at = [factor * x, factor * y];
@@ -171,42 +169,18 @@ fn unit_beside(definition: &Definition, [x, y]: [f64; 2], images: Option<([f64; 
 
 /// How a control point that lies elsewhere may have come there.
 #[derive(Default)]
-struct Slip {
-    swapped: bool,
-    zone: Option<u32>,
+pub(super) struct Slip {
+    pub swapped: bool,
+    pub zone: Option<u32>,
     /// The coordinate that would be right.
-    likely: Option<String>,
-}
-
-/// How an orthophoto that lies elsewhere than GNSS positions may have come there, by the coordinates of its middle, in the unit of its system, and how far
-/// it reaches from there in m; absent where nothing known brings it to them.
-pub(crate) fn place_slip(definition: &Definition, [x, y]: [f64; 2], gnss: &[[f64; 2]], extent_m: f64) -> Option<PlaceSlip> {
-    let images = middle_of_places(gnss)?;
-    let system = CoordinateSystem::new(definition.clone(), None, images).ok()?;
-    let reach_m = reach_m(gnss, images) + extent_m;
-    let doubted = doubted_at(&system, [x, y, 0.0], images, reach_m)?;
-    let Slip { swapped, zone, likely } = slip_of(&system, &doubted);
-    let is_utm = || !beside_in_utm(definition, [x, y]).is_empty();
-    let other_half = || [1.0, -1.0].into_iter().any(|sign| doubted.explains([x, y + sign * OTHER_HALF_M, 0.0]));
-    // Eastings with the number of the zone before them, where the system has them without.
-    let short_x = libm::fmod(x, ZONE_PREFIX);
-    let is_prefixed = || x > ZONE_PREFIX && doubted.explains([short_x, y, 0.0]);
-    zone.map(|zone| PlaceSlip::Zone { zone })
-        .or_else(|| swapped.then_some(PlaceSlip::Exchanged))
-        .or_else(|| (is_utm() && other_half()).then_some(PlaceSlip::OtherHalf))
-        .or_else(|| {
-            let (given_in, _) = unit_beside(definition, [x, y], Some((images, reach_m)))?;
-            Some(PlaceSlip::Unit { given_in: given_in.into() })
-        })
-        .or_else(|| is_prefixed().then(|| PlaceSlip::Coordinate { likely: format!("x = {short_x}") }))
-        .or_else(|| likely.map(|likely| PlaceSlip::Coordinate { likely }))
+    pub likely: Option<String>,
 }
 
 /// The northing of the equator on the southern half of UTM, and what stands before an easting that begins with the number of its zone, in m.
-const OTHER_HALF_M: f64 = 10_000_000.0;
-const ZONE_PREFIX: f64 = 1_000_000.0;
+pub(super) const OTHER_HALF_M: f64 = 10_000_000.0;
+pub(super) const ZONE_PREFIX: f64 = 1_000_000.0;
 
-fn slip_of(system: &CoordinateSystem, doubted: &Doubted) -> Slip {
+pub(super) fn slip_of(system: &CoordinateSystem, doubted: &Doubted) -> Slip {
     let zone = in_other_zone(system, doubted.given, |place| doubted.explains(place));
     let mistake = doubted.mistake().filter(|_| zone.is_none());
     // A point that is refused lies so far off that chance explains no exchange, however far its block reaches.
@@ -224,7 +198,7 @@ fn slip_of(system: &CoordinateSystem, doubted: &Doubted) -> Slip {
 }
 
 /// How far the images of a block reach from its middle, with what a control point may lie beside them: a far-off position counts for nothing.
-fn reach_m(gnss: &[[f64; 2]], [longitude, latitude]: [f64; 2]) -> f64 {
+pub(super) fn reach_m(gnss: &[[f64; 2]], [longitude, latitude]: [f64; 2]) -> f64 {
     let from_middle = gnss.iter().map(|place| {
         let [east, north, _] = local_from_geographic([place[0], place[1], 0.0], [longitude, latitude, 0.0]);
         libm::hypot(east, north)
@@ -238,7 +212,7 @@ fn doubted(system: &CoordinateSystem, place: [f64; 3], images: [f64; 2], reach_m
 }
 
 /// The same of coordinates in the system.
-fn doubted_at(system: &CoordinateSystem, given: [f64; 3], [longitude, latitude]: [f64; 2], reach_m: f64) -> Option<Doubted> {
+pub(super) fn doubted_at(system: &CoordinateSystem, given: [f64; 3], [longitude, latitude]: [f64; 2], reach_m: f64) -> Option<Doubted> {
     let [x, y, _] = system.coordinates([longitude, latitude, 0.0])?;
     let likely = [x, y, given[2]];
     let [east, north, _] = system.difference_m(likely, [x - UNITS, y - UNITS, given[2]]).map(|length_m| length_m / UNITS);

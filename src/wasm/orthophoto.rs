@@ -34,6 +34,8 @@ export interface OrthophotoInfo {
     heights: [number, number];
     /** What they count from, by the name of a vertical system, where their file says it. */
     heights_from: string | null;
+    /** The unit in which their file says that they are, where they were converted from it. */
+    heights_given_in: string | null;
     /** Share of the picture that has a height, 0 to 1. */
     heights_share: number;
     /** Whether its pixels are read where they are needed. */
@@ -156,6 +158,7 @@ impl OrthophotoReference {
             ("on_earth", self.orthophoto.is_on_earth().into()),
             ("heights", pack(&heights.range())),
             ("heights_from", pack(&heights.counts_from())),
+            ("heights_given_in", pack(&heights.given_in())),
             ("heights_share", self.orthophoto.heights_share().into()),
             ("in_parts", self.orthophoto.is_in_parts().into()),
         ])

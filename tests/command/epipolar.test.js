@@ -88,6 +88,7 @@ test('what the photos of an oriented pair show lies in the same rows, and its co
   const { width_px: width, height_px: height, focal_px: focal, base, principal_points_px: principal, parallaxes } = parameters;
   for (const picture of [left, right, anaglyph]) assert.deepEqual([picture.width, picture.height], [width, height]);
   assert.deepEqual([parameters.left, parameters.right], ['left.png', 'right.png']);
+  assert.deepEqual(parameters.system, { kind: 'photo', image: 'left.png' });
   assert.ok(parallaxes.points > 300 && parallaxes.y_rms_px < 0.5 && Math.abs(parallaxes.x_px[1]) <= 0.5, JSON.stringify(parallaxes));
   assert.match(stdout, /residual y-parallax of \d+ points: 0\.\d\d px RMS/);
   const shifts = rowShifts(left, right, Math.ceil(Math.max(...parallaxes.x_px.map(Math.abs))) + 2);
@@ -140,6 +141,10 @@ test('of a block the two images with most points in common are taken, or those t
   const found = made(project, photos);
   assert.ok(names.includes(found.parameters.left) && names.includes(found.parameters.right));
   assert.ok(found.parameters.parallaxes.y_rms_px < 1);
+  // Its photos record where on the earth they were taken.
+  const { origin } = JSON.parse(readFileSync(join(out, 'summary.json'), 'utf8')).orientation;
+  assert.ok(Math.abs(origin.latitude_deg) > 0, JSON.stringify(origin));
+  assert.deepEqual(found.parameters.system, { kind: 'tangent', origin });
   const { left, right } = found.parameters;
   const named = made(project, photos, '--left', left, '--right', right);
   assert.deepEqual(named.parameters, found.parameters);

@@ -45,6 +45,13 @@ test('photos are placed on the orthophoto of their scene, and their pictures lie
     links.length - 1,
     result.images.reduce((/** @type {number} */ sum, /** @type {any} */ image) => sum + image.placement.links.length, 0),
   );
+  // What the tables say of links that check, and of each link, is that of the result.
+  const { placement } = result.images[0];
+  const [names, first] = [head, rows[0] ?? ''].map((line) => line.split(','));
+  const cell = (/** @type {string} */ name) => Number(first?.[names?.indexOf(name) ?? NaN]);
+  assert.deepEqual(['checks', 'checks_beyond', 'checks_rmse_px'].map(cell), [placement.checks.number, placement.checks.beyond, placement.checks.rmse_px]);
+  assert.match(links[0] ?? '', /,residual_px,use,sigma_px,by_hand$/);
+  assert.ok(links[1]?.endsWith(`,${placement.links[0].role},${placement.links[0].sigma_px},0`) && placement.links[0].sigma_px > 0, links[1]);
   assert.deepEqual(JSON.parse(readFileSync(join(out, 'result.json'), 'utf8')), result);
 });
 
@@ -125,6 +132,13 @@ test('an orthophoto without a place, one in degrees and other bad input are refu
   assert.match(refused(photo, photo, ...GROUND), /^2 .*two images are named/);
   const cameras = file(at, 'cameras.json', '{"cameras": [{"images": "other*", "focal_px": 900}]}');
   assert.match(refused(photo, ...GROUND, '--cameras', cameras), /^1 .*other\*, which fit no image/);
+  const north = join(at, 'north.png');
+  writeFileSync(north, readFileSync(photo));
+  file(at, 'north.pgw', '0.5\n0\n0\n0.5\n430000\n5540000\n');
+  assert.match(
+    refused(photo, '--orthophoto', north),
+    /^1 .*north\.png.*got A = 0\.5, D = 0, B = 0, E = 0\.5.*rows go north \(E above 0\); allowed: rows that go south/,
+  );
   const world = file(at, 'a.pgw', '0.5\n0\n0\n');
   writeFileSync(join(at, 'a.png'), readFileSync(photo));
   assert.match(refused(photo, '--orthophoto', join(at, 'a.png')), /^1 .*world file/, world);
@@ -283,7 +297,12 @@ test('a photo that records no position is sought where a table has it, in degree
     ['unknown_position_columns', 'positions_of_other_images', 'orthophoto_elsewhere'],
   );
   // Its place is doubted for that, too.
-  assert.deepEqual([images[0].search.kind, images[0].verdict.kind], ['apart_from_gnss', 'weak']);
+  assert.deepEqual([images[0].search.kind, images[0].search.place_slip.kind, images[0].verdict.kind], ['far_from_gnss', 'unknown', 'weak']);
+  // Latitude and longitude stand in each other's place: no operation leads from there into the system of the orthophoto.
+  const exchanged = placed(`image,lon,lat\nplain.png,${latitude},${longitude}\n`);
+  assert.deepEqual([exchanged.remarks[0].kind, exchanged.remarks[0].place_slip.kind], ['orthophoto_elsewhere', 'exchanged_positions']);
+  assert.deepEqual([exchanged.images[0].search.kind, exchanged.images[0].search.place_slip.kind], ['far_from_gnss', 'exchanged_positions']);
+  assert.equal(exchanged.images[0].verdict.kind, 'weak');
   for (const [text, args, told] of /** @type {[string, string[], RegExp][]} */ ([
     ['plain.png,50.1,8.2\n', [], /^1 .*table\.csv: .*longitude and latitude/],
     [`image,easting,northing\nplain,${longitude},${latitude}\n`, ['--crs', 'EPSG:25832'], /^1 .*table\.csv: .*degrees/],

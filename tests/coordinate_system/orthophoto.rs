@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use tiepoint::{
     BlockEdit, BlockLinks, BlockRun, CameraUncertainty, ControlRole, ControlTexts, Datum, DecodeLimits, ExifImage, ExifPosition, Failure,
     Georeference, HeightModel, Heights, Mosaic, NotLinked, OnOrthophoto, Orthophoto, PlaceSearch, PlacingCamera, PlacingOptions,
-    PlacingVerdict, PlacingWeakness, PointSource, Remark, SearchArea, decode, place_recorded,
+    PlacingVerdict, PlacingWeakness, PointSource, Project, Remark, SearchArea, StereoPair, StereoSystem, decode, place_recorded,
 };
 
 /// The orthophoto of the scene in a zone of UTM, in a unit of so many m, with heights above the geoid in m.
@@ -216,6 +216,11 @@ fn a_block_on_an_orthophoto_keeps_the_code_of_its_system() {
     let run = run(None, None, None).unwrap();
     let found = links().linked(&run, in_system(), &placing()).unwrap();
     assert!(matches!(found.orthophoto, Some(OnOrthophoto::Linked { epsg: Some(25_832), in_crs: false, .. })), "{:?}", found.orthophoto);
+    // Epipolar images are in its system, those of the block without it where its GNSS positions have them.
+    let system = |run: &BlockRun| StereoPair::of_project(&Project::Block(Box::new(run.clone())), None).unwrap().system;
+    assert_eq!(system(&found), StereoSystem::Orthophoto { epsg: Some(25_832) });
+    let of_gnss = system(by_gnss());
+    assert!(matches!(of_gnss, StereoSystem::Tangent { origin } if Some(origin) == by_gnss().model.origin), "{of_gnss:?}");
     let mosaic = Mosaic::of_block(&found, None, Some(4.0)).unwrap();
     assert_eq!(mosaic.epsg(), Some(25_832));
     let photo = decode(&fs::read(&flown().photos[0]).unwrap(), &DecodeLimits::default()).unwrap().grey;

@@ -218,6 +218,18 @@ impl<S: FileSource + Clone> TiffRaster<S> {
         self.kept.part(key, |chunk| chunk.bands.iter().map(Vec::len).sum::<usize>() + chunk.nothing.len(), decode)
     }
 
+    /// Whether the file holds anything of a part of the picture that was halved so many times: it may leave out what shows nothing.
+    pub fn holds_any(&self, halvings: u32, first: [usize; 2], size: [usize; 2]) -> bool {
+        let level = self.level_of(halvings).1;
+        level.transparency.is_some() || level.grid.pieces(first, size).any(|piece| self.holds(level, piece.index))
+    }
+
+    /// How many tiles and strips are kept.
+    #[cfg(test)]
+    pub fn number_kept(&self) -> usize {
+        self.kept.number()
+    }
+
     /// Whether the file holds anything of a tile or strip.
     fn holds(&self, level: &Level<S>, index: usize) -> bool {
         self.samples.planes_or_all().any(|plane| level.grid.holds(plane * level.grid.number() + index))

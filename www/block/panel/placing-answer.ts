@@ -60,7 +60,8 @@ export function heightsText({ placing: { heights, orthophoto } }: BlockState): s
   const share = orthophoto?.info.heights_share ?? 1;
   const part = share < MOSTLY ? say('they-lie-under-of-the', { share: Math.round(100 * share) }) : '';
   const from_what = orthophoto?.info.heights_from ?? null;
-  return say('heights-of-to', { name: heights.model.name, from, to, unit, from_what, part });
+  const given_in = orthophoto?.info.heights_given_in ?? null;
+  return say('heights-of-to', { name: heights.model.name, from, to, unit, given_in, from_what, part });
 }
 
 function answered(state: BlockState, tried: readonly PlacedFile[], actions: PlacingAnswerActions): Answer {

@@ -11,6 +11,8 @@ export interface Links {
   places: Float64Array;
   /** In px of the image; stride 2. */
   residuals: Float64Array;
+  /** Of each coordinate in the image, in px. */
+  sigmas: Float64Array;
   /** Places in `USES`. */
   uses: Uint8Array;
   /** 1 for those that were measured by hand. */
@@ -36,6 +38,7 @@ function columnsOf(links: readonly Link[]): Links {
     at: Float64Array.from(links.flatMap(({ at }) => at)),
     places: Float64Array.from(links.flatMap(({ place }) => place)),
     residuals: Float64Array.from(links.flatMap(({ residual_px: residual }) => residual ?? [Number.NaN, Number.NaN])),
+    sigmas: Float64Array.from(links, ({ sigma_px: sigma }) => sigma ?? Number.NaN),
     uses: Uint8Array.from(links, ({ role }) => USES.indexOf(role)),
     byHand: Uint8Array.from(links, ({ by_hand: byHand }) => (byHand ? 1 : 0)),
   };
@@ -49,12 +52,13 @@ export function inRows({ placement, size: _, ...image }: LinkedImage): PlacedIma
   };
 }
 
-export function linkOf({ at, places, residuals, uses, byHand }: Links, link: number): Link {
+export function linkOf({ at, places, residuals, sigmas, uses, byHand }: Links, link: number): Link {
   const pair = (of: Float64Array): [number, number] => [of[2 * link] ?? NaN, of[2 * link + 1] ?? NaN];
   return {
     at: pair(at),
     place: [places[3 * link] ?? NaN, places[3 * link + 1] ?? NaN, places[3 * link + 2] ?? NaN],
     residual_px: Number.isNaN(residuals[2 * link]) ? null : pair(residuals),
+    sigma_px: Number.isNaN(sigmas[link]) ? null : (sigmas[link] ?? null),
     role: USES[uses[link] ?? 0] ?? 'used',
     by_hand: byHand[link] === 1,
   };

@@ -448,7 +448,10 @@ place-them-as-a-block = وضعها كتلةً
 its-ground-is-taken-as = تُعد أرضها مستوية عند { FIXED($height, digits: 2) } { $unit }: أعط ارتفاعاتها حيث ليست كذلك.
 they-lie-under-of-the = {" "}تقع تحت { $share } % من الصورة المصححة: لا يوضع شيء في غيرها.
 heights-of-to =
-    ارتفاعات { $name }: { FIXED($from, digits: 1) } إلى { FIXED($to, digits: 1) } { $unit }.{ $from_what ->
+    ارتفاعات { $name }: { FIXED($from, digits: 1) } إلى { FIXED($to, digits: 1) } { $unit }{ $given_in ->
+        [none] {""}
+       *[other] ، محوّلة من { $given_in } كما يقول ملفها
+    }.{ $from_what ->
         [none] {""}
        *[other] {" "}وتُعدّ من { $from_what }.
     }{ $part }

@@ -501,7 +501,10 @@ place-them-as-a-block = Place them as a block
 its-ground-is-taken-as = Its ground is taken as level at { FIXED($height, digits: 2) } { $unit }: give its heights where it is not.
 they-lie-under-of-the = {" "}They lie under { $share } % of the orthophoto: nothing is placed elsewhere.
 heights-of-to =
-    Heights of { $name }: { FIXED($from, digits: 1) } to { FIXED($to, digits: 1) } { $unit }.{ $from_what ->
+    Heights of { $name }: { FIXED($from, digits: 1) } to { FIXED($to, digits: 1) } { $unit }{ $given_in ->
+        [none] {""}
+       *[other] , converted from { $given_in } as their file says
+    }.{ $from_what ->
         [none] {""}
        *[other] {" "}They count from { $from_what }.
     }{ $part }
