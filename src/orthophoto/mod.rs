@@ -26,6 +26,7 @@ mod footprint;
 mod ground;
 mod height_values;
 mod heights;
+mod hidden;
 mod into_system;
 mod links;
 mod map_nodes;
