@@ -1123,11 +1123,21 @@ placing-weakness-camera = تطلب النقاط { $camera_parameter } بمقدا
 placing-weakness-height-factor = تطلب النقاط فروق ارتفاع تساوي { FIXED($factor, digits: 2) } ± { SIGNIFICANT($standard_error, digits: 1) } مرة من فروق الارتفاعات المعطاة: تحقق من أن الارتفاعات لهذه الأرض وبوحدة الصورة المصححة.
 placing-weakness-relief = في { PERCENT($displaced, digits: 0) } من الصورة تقع النقاط معًا في غير الموضع الذي تحدده الارتفاعات: تحقق من أن الارتفاعات لهذه الأرض وبوحدة الصورة المصححة. منسوب واحد يصلح للأرض المستوية وحدها.
 placing-weakness-gnss = تبعد أفقيًا { FIXED($plan_m, digits: 0) } م عن موقعها في GNSS، والمعتاد { FIXED($usual_m, digits: 0) } م على الأكثر: تحقق من النظام الإحداثي للصورة المصححة ومن الارتفاعات ومن الموقع.
+placing-weakness-gnss-height =
+    تقع { SIGN($height_m) ->
+        [minus] أدنى
+       *[plus] أعلى
+    } من موقعها في GNSS بمقدار { AMOUNT($height_m, digits: 1) } م، والمعتاد { FIXED($usual_m, digits: 1) } م على الأكثر: تحقق من الارتفاعات، فهي منزاحة كلها أو محسوبة من صفر غير صفر الموقع (المجسم الإهليلجي أو مستوى سطح البحر)، ومن الموقع.
 placing-weakness-noise = الجذر التربيعي لمتوسط مربعات المتبقيات { FIXED($rmse_px, digits: 2) } بكسل، وتبلغ الصور الجيدة { FIXED($usual_px, digits: 2) } بكسل: تحقق من الارتفاعات ومن عمر الصورة المصححة.
 
 # How an image with a GNSS position was sought on an orthophoto.
 place-search-gnss = عُثر عليها ضمن { FIXED($within_m, digits: 0) } م من موقعها في GNSS، وتبعد عنه أفقيًا { FIXED($plan_m, digits: 1) } م.
 place-search-apart-from-gnss = تبعد أفقيًا { FIXED($plan_m, digits: 0) } م عن موقعها في GNSS، وهو صحيح عادةً ضمن { FIXED($usual_m, digits: 0) } م: تحقق من النظام الإحداثي للصورة المصححة ومن الارتفاعات ومن الموقع.
+place-search-height-apart-from-gnss =
+    تقع { SIGN($height_m) ->
+        [minus] أدنى
+       *[plus] أعلى
+    } من موقعها في GNSS بمقدار { AMOUNT($height_m, digits: 1) } م، وهو صحيح ضمن { FIXED($usual_m, digits: 1) } م: تحقق من الارتفاعات، فهي منزاحة كلها أو محسوبة من صفر غير صفر الموقع (المجسم الإهليلجي أو مستوى سطح البحر)، ومن الموقع.
 place-search-beyond-gnss = لم يُعثر عليها ضمن { FIXED($within_m, digits: 0) } م من موقعها في GNSS؛ وبُحث في الصورة المصححة كلها.
 
 # What the place of an image is worth.

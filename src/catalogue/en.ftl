@@ -1640,11 +1640,21 @@ placing-weakness-camera = The points ask for { $camera_parameter } of { FIXED($e
 placing-weakness-height-factor = The points ask for differences of height { FIXED($factor, digits: 2) } ± { SIGNIFICANT($standard_error, digits: 1) } times those of the heights: check that the heights are of this ground, and in the unit of the orthophoto.
 placing-weakness-relief = In { PERCENT($displaced, digits: 0) } of the image the points lie together elsewhere than the heights put them: check that the heights are of this ground, and in the unit of the orthophoto. One level stands for level ground alone.
 placing-weakness-gnss = It lies { FIXED($plan_m, digits: 0) } m from its GNSS position in plan, where { FIXED($usual_m, digits: 0) } m are usual at most: check the coordinate system of the orthophoto, the heights and the position.
+placing-weakness-gnss-height =
+    It lies { AMOUNT($height_m, digits: 1) } m { SIGN($height_m) ->
+        [minus] below
+       *[plus] above
+    } its GNSS position, where { FIXED($usual_m, digits: 1) } m are usual at most: check the heights, which are off as a whole or count from another zero than the position (ellipsoid, sea level), and the position.
 placing-weakness-noise = Residuals are { FIXED($rmse_px, digits: 2) } px in the root mean square, where good pictures reach { FIXED($usual_px, digits: 2) } px: check the heights and the age of the orthophoto.
 
 # How an image with a GNSS position was sought on an orthophoto.
 place-search-gnss = Found within { FIXED($within_m, digits: 0) } m of its GNSS position, { FIXED($plan_m, digits: 1) } m from it in plan.
 place-search-apart-from-gnss = It lies { FIXED($plan_m, digits: 0) } m from its GNSS position in plan, which is right to { FIXED($usual_m, digits: 0) } m as a rule: check the coordinate system of the orthophoto, the heights and the position.
+place-search-height-apart-from-gnss =
+    It lies { AMOUNT($height_m, digits: 1) } m { SIGN($height_m) ->
+        [minus] below
+       *[plus] above
+    } its GNSS position, which is right to { FIXED($usual_m, digits: 1) } m: check the heights, which are off as a whole or count from another zero than the position (ellipsoid, sea level), and the position.
 place-search-beyond-gnss = Not found within { FIXED($within_m, digits: 0) } m of its GNSS position; all of the orthophoto was searched.
 
 # What the place of an image is worth.

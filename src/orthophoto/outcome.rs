@@ -47,6 +47,8 @@ messages! {
         Relief { displaced: f64 },
         /// It lies farther from its GNSS position, in plan, than receivers err and the place itself may be off.
         Gnss { plan_m: f64, usual_m: f64 },
+        /// It lies higher than a precise GNSS position, or lower (below 0), than that, the place itself and the heights of the ground may be off.
+        GnssHeight { height_m: f64, usual_m: f64 },
         /// Links disagree far more than those of good pictures do.
         Noise { rmse_px: f64, usual_px: f64 },
     }
@@ -86,6 +88,8 @@ messages! {
         },
         /// It was found farther from its position, in plan, than receivers of cameras err, and is doubted for another reason.
         ApartFromGnss { plan_m: f64, usual_m: f64 },
+        /// It was found higher than its precise position, or lower (below 0), than both may err, and is doubted for another reason.
+        HeightApartFromGnss { height_m: f64, usual_m: f64 },
         /// It was not: all that may be searched was.
         BeyondGnss { within_m: f64 },
     }

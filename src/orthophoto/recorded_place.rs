@@ -5,9 +5,11 @@ use super::into_system::{RecordedPlace, recorded_place};
 use super::options::PlacingOptions;
 use super::outcome::{PlaceSearch, PlacedImage, PlacingVerdict, PlacingWeakness};
 use super::place::place_image;
+use super::recorded_height::{HeightApart, RecordedHeight};
+use super::recorded_position::RecordedPosition;
 use super::reference::Orthophoto;
 use super::search_area::SearchArea;
-use crate::{Error, ExifPosition, GreyView};
+use crate::{Error, GreyView};
 
 /// Places an image that records a GNSS position: about that first, within `within_m`, where the orthophoto says its system and no other place is
 /// given by the options, then anywhere. The result says which.
@@ -17,7 +19,7 @@ use crate::{Error, ExifPosition, GreyView};
 pub fn place_recorded(
     image: GreyView<'_>,
     known: &PlacingCamera,
-    position: Option<&ExifPosition>,
+    position: Option<&RecordedPosition>,
     reference: &Orthophoto,
     area: &SearchArea,
     options: &PlacingOptions,
@@ -27,14 +29,14 @@ pub fn place_recorded(
 
 /// Has an image that may record a position placed in one area after the other, as [`place_recorded`] does.
 pub(super) fn sought(
-    position: Option<&ExifPosition>,
+    position: Option<&RecordedPosition>,
     reference: &Orthophoto,
     area: &SearchArea,
     options: &PlacingOptions,
     mut place: impl FnMut(&SearchArea) -> Result<PlacedImage, Error>,
 ) -> Result<PlacedImage, Error> {
     let Some(on_map) = on_map(position, reference, options) else { return place(area) };
-    let RecordedPlace { place: at, unit_m, .. } = on_map;
+    let RecordedPlace { place: at, unit_m, .. } = on_map.place;
     let within_m = options.within_m;
     let within = within_m / unit_m;
     let about = PlacingOptions { near_x: Some(at[0]), near_y: Some(at[1]), within_m: within, ..options.clone() };
@@ -48,16 +50,25 @@ pub(super) fn sought(
     Ok(beside_position(placed, &on_map))
 }
 
+/// A GNSS position on an orthophoto, with its height where that is precise.
+struct OnMap {
+    place: RecordedPlace,
+    height: Option<RecordedHeight>,
+}
+
 /// Where an orthophoto has the position of an image, unless another place is given by the options, which goes before it.
-fn on_map(position: Option<&ExifPosition>, reference: &Orthophoto, options: &PlacingOptions) -> Option<RecordedPlace> {
+fn on_map(position: Option<&RecordedPosition>, reference: &Orthophoto, options: &PlacingOptions) -> Option<OnMap> {
     let is_free = options.near_x.is_none() && options.near_y.is_none();
-    position.filter(|_| is_free).and_then(|position| recorded_place(position, reference))
+    let position = position.filter(|_| is_free)?;
+    let place = recorded_place(&position.position, reference)?;
+    let height = RecordedHeight::of(position, reference, options, place.unit_m);
+    Some(OnMap { place, height })
 }
 
 /// An image that was placed without a search, judged beside its position as one that was sought.
 pub(super) fn judged(
     placed: PlacedImage,
-    position: Option<&ExifPosition>,
+    position: Option<&RecordedPosition>,
     reference: &Orthophoto,
     options: &PlacingOptions,
 ) -> PlacedImage {
@@ -72,13 +83,14 @@ const USUAL_M: f64 = 30.0;
 const STATED: f64 = 3.0;
 
 /// With how far the image was placed from its position in plan: heights of another ground and another system of the orthophoto show there alone. Where it is
-/// farther than both may err, it is placed with doubt.
-fn beside_position(placed: PlacedImage, on_map: &RecordedPlace) -> PlacedImage {
+/// farther than both may err, or higher or lower than a precise position, it is placed with doubt.
+fn beside_position(placed: PlacedImage, OnMap { place, height }: &OnMap) -> PlacedImage {
     let Some(placement) = &placed.placement else { return placed };
-    let [x, y] = [0, 1].map(|k| placement.pose.position[k] - on_map.place[k]);
-    let plan_m = on_map.unit_m * libm::hypot(x, y);
-    let own_m = placement.position_errors_m.map_or(0.0, |[x, y, _]| on_map.unit_m * libm::hypot(x, y));
-    let usual_m = libm::hypot(USUAL_M.max(STATED * on_map.stated_m.unwrap_or(0.0)), STATED * own_m);
+    let [x, y] = [0, 1].map(|k| placement.pose.position[k] - place.place[k]);
+    let plan_m = place.unit_m * libm::hypot(x, y);
+    let own_m = placement.position_errors_m.map_or(0.0, |[x, y, _]| place.unit_m * libm::hypot(x, y));
+    let usual_m = libm::hypot(USUAL_M.max(STATED * place.stated_m.unwrap_or(0.0)), STATED * own_m);
+    let apart = height.as_ref().and_then(|height| height.apart(placement, place.unit_m));
     let search = match placed.search {
         Some(PlaceSearch::Gnss { within_m, .. }) => Some(PlaceSearch::Gnss { within_m, plan_m }),
         other => other,
@@ -90,7 +102,16 @@ fn beside_position(placed: PlacedImage, on_map: &RecordedPlace) -> PlacedImage {
         }
         // What is doubted already says its own reason first.
         _ if plan_m > usual_m => PlacedImage { search: Some(PlaceSearch::ApartFromGnss { plan_m, usual_m }), ..placed },
-        _ => PlacedImage { search, ..placed },
+        verdict => match (verdict, apart) {
+            (PlacingVerdict::Placed { links, .. }, Some(HeightApart { height_m, usual_m })) => {
+                let verdict = PlacingVerdict::Weak { links, placing_weakness: PlacingWeakness::GnssHeight { height_m, usual_m } };
+                PlacedImage { verdict, search, ..placed }
+            }
+            (verdict, Some(HeightApart { height_m, usual_m })) => {
+                PlacedImage { verdict, search: Some(PlaceSearch::HeightApartFromGnss { height_m, usual_m }), ..placed }
+            }
+            (verdict, None) => PlacedImage { verdict, search, ..placed },
+        },
     }
 }
 
@@ -166,7 +187,7 @@ mod tests {
         let of = |plan_m: f64, errors: Option<[f64; 3]>, unit_m: f64, stated_m: Option<f64>| {
             let on_map = RecordedPlace { place: [1000.0, 2000.0], unit_m, stated_m };
             let placed = placed_at([1000.0 + 0.6 * plan_m / unit_m, 2000.0 - 0.8 * plan_m / unit_m, 600.0], errors, sure());
-            beside_position(placed, &on_map)
+            beside_position(placed, &OnMap { place: on_map, height: None })
         };
         let near = of(29.0, Some([0.1; 3]), 1.0, None);
         assert_eq!(near.verdict, sure());
@@ -193,7 +214,7 @@ mod tests {
         // Another doubt stays, and the distance is said beside it.
         let weak = PlacingVerdict::Weak { links: 20, placing_weakness: PlacingWeakness::FewLinks { links: 20, needed: 30 } };
         let on_map = RecordedPlace { place: [0.0, 0.0], unit_m: 1.0, stated_m: None };
-        let doubted = beside_position(placed_at([400.0, 0.0, 600.0], Some([0.1; 3]), weak.clone()), &on_map);
+        let doubted = beside_position(placed_at([400.0, 0.0, 600.0], Some([0.1; 3]), weak.clone()), &OnMap { place: on_map, height: None });
         assert_eq!(doubted.verdict, weak);
         assert!(matches!(doubted.search, Some(PlaceSearch::ApartFromGnss { plan_m: 400.0, .. })), "{:?}", doubted.search);
     }
