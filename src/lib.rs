@@ -139,9 +139,9 @@ pub use points::{
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points,
 };
 pub use reconstruction::{
-    Axis, BlockWarning, ControlApart, LengthUnit, Mistake, ObservationSource, Observed, PointSource, ReconstructedModel, Reconstruction,
-    ReconstructionOptions, RefusedControl, RejectedObservation, RejectedPosition, SupportingPoint, SupportingRay, SurveyedPoint,
-    UnorientedImage, UnorientedReason, reconstruct_block,
+    Axis, BlockWarning, ControlApart, ControlKind, LengthUnit, Mistake, ObservationSource, Observed, PointSource, ReconstructedModel,
+    Reconstruction, ReconstructionOptions, RefusedControl, RejectedObservation, RejectedPosition, SupportingPoint, SupportingRay,
+    SurveyedPoint, UnorientedImage, UnorientedReason, reconstruct_block,
 };
 pub use report::{PAPER, Paper, PrintedOrientation, Report, ReportEdits, ReportImage, ReportStep, ReportTruth};
 pub use simulate::{

@@ -623,9 +623,21 @@ block-warning-positions-rejected =
     }
     .images = { $name } ({ FIXED($distance_m, digits: 1) } م)
 block-warning-positions-apart =
-    تختلف مواضع GNSS كلها على السواء عما تقوله نقاط الضبط في { $axis } بمقدار { FIXED($difference_m, digits: 2) } م، أي { FIXED($times, digits: 1) } أمثال الخطأ المعياري لهذا الفرق: { $axis ->
-        [z] ربما تُحسب ارتفاعاتها وارتفاعات نقاط الضبط من صفرين مختلفين، كالمجسم الإهليلجي ومستوى سطح البحر (--geoid-m)، أو
-       *[other] ربما كانت هي ونقاط الضبط في نظامين مختلفين، أو
+    تختلف مواضع GNSS كلها على السواء عما تقوله { $held_by ->
+        [places] مواضع الصورة المصححة
+        [both] نقاط الضبط ومواضع الصورة المصححة
+       *[surveyed] نقاط الضبط
+    } في { $axis } بمقدار { FIXED($difference_m, digits: 2) } م، أي { FIXED($times, digits: 1) } أمثال الخطأ المعياري لهذا الفرق: { $axis ->
+        [z] { $held_by ->
+            [places] ربما تُحسب ارتفاعاتها وارتفاعات الصورة المصححة من صفرين مختلفين، كالمجسم الإهليلجي ومستوى سطح البحر (--geoid-m)، أو هذه منزاحة كلها، أو
+            [both] ربما تُحسب ارتفاعاتها وارتفاعات نقاط الضبط والصورة المصححة من أصفار مختلفة، كالمجسم الإهليلجي ومستوى سطح البحر (--geoid-m)، أو بعضها منزاح كله، أو
+           *[surveyed] ربما تُحسب ارتفاعاتها وارتفاعات نقاط الضبط من صفرين مختلفين، كالمجسم الإهليلجي ومستوى سطح البحر (--geoid-m)، أو
+        }
+       *[other] ربما كانت هي { $held_by ->
+            [places] والصورة المصححة في نظامين مختلفين
+            [both] ونقاط الضبط والصورة المصححة في أنظمة مختلفة
+           *[surveyed] ونقاط الضبط في نظامين مختلفين
+        }، أو
     } للمواضع إزاحة مشتركة (--gnss-errors offset).{ $images_m ->
         [none] {""}
        *[other] {" "}وقد تبعتها الصور بمقدار { FIXED($images_m, digits: 2) } م، وهو ما لا تغطيه أخطاؤها المعيارية.
@@ -1663,6 +1675,10 @@ observation-group-gnss-plan = مواضع GNSS، الأفقية
 observation-group-gnss-height = مواضع GNSS، الارتفاعات
 observation-group-control-plan = نقاط الضبط، الأفقية
 observation-group-control-height = نقاط الضبط، الارتفاعات
+place-group-places-plan = مواضع الصورة المصححة، الأفقية
+place-group-places-height = مواضع الصورة المصححة، الارتفاعات
+place-group-control-and-places-plan = نقاط الضبط ومواضع الصورة المصححة، الأفقية
+place-group-control-and-places-height = نقاط الضبط ومواضع الصورة المصححة، الارتفاعات
 
 # Cameras and strips are counted from 0: NTH gives the number that people count by.
 systematic-error-lever-arm = ذراع الهوائي للكاميرا { NTH($camera) }

@@ -1125,9 +1125,21 @@ block-warning-positions-rejected =
     }
     .images = { $name } ({ FIXED($distance_m, digits: 1) } m)
 block-warning-positions-apart =
-    In { $axis } all GNSS positions differ alike from what the control points say, by { FIXED($difference_m, digits: 2) } m, { FIXED($times, digits: 1) } times the standard error of this difference: { $axis ->
-        [z] they and the control points may count heights from different zeros, such as the ellipsoid and sea level (--geoid-m), or
-       *[other] they and the control points may be in different systems, or
+    In { $axis } all GNSS positions differ alike from what { $held_by ->
+        [places] the places of the orthophoto
+        [both] the control points and places of the orthophoto
+       *[surveyed] the control points
+    } say, by { FIXED($difference_m, digits: 2) } m, { FIXED($times, digits: 1) } times the standard error of this difference: { $axis ->
+        [z] { $held_by ->
+            [places] they and the heights of the orthophoto may count from different zeros, such as the ellipsoid and sea level (--geoid-m), these may be off as a whole, or
+            [both] they, the control points and the heights of the orthophoto may count from different zeros, such as the ellipsoid and sea level (--geoid-m), heights may be off as a whole, or
+           *[surveyed] they and the control points may count heights from different zeros, such as the ellipsoid and sea level (--geoid-m), or
+        }
+       *[other] they and { $held_by ->
+            [places] the orthophoto
+            [both] the control points and the orthophoto
+           *[surveyed] the control points
+        } may be in different systems, or
     } the positions have an offset in common (--gnss-errors offset).{ $images_m ->
         [none] {""}
        *[other] {" "}The images have followed them by { FIXED($images_m, digits: 2) } m, which their standard errors do not cover.
@@ -1669,6 +1681,10 @@ observation-group-gnss-plan = GNSS positions, horizontal
 observation-group-gnss-height = GNSS positions, vertical
 observation-group-control-plan = control points, horizontal
 observation-group-control-height = control points, vertical
+place-group-places-plan = places of the orthophoto, horizontal
+place-group-places-height = places of the orthophoto, vertical
+place-group-control-and-places-plan = control points and places of the orthophoto, horizontal
+place-group-control-and-places-height = control points and places of the orthophoto, vertical
 
 # Cameras and strips are counted from 0: NTH gives the number that people count by.
 systematic-error-lever-arm = lever arm of camera { NTH($camera) }
