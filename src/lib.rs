@@ -107,9 +107,10 @@ pub use orientation::{
 };
 pub use orthophoto::{
     BlockLinks, GivenLink, GivenUse, HeightFactor, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced, Orthophoto,
-    PlaceSearch, PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, Relief, SearchArea,
-    control_by_hand, ground_positions, heights_of_block, heights_of_points, image_positions, links_table, place_by_links, place_film,
-    place_film_by_links, place_image, place_recorded, placed_table, rectify, rectify_placed, write_geotiff, write_heights,
+    PlaceSearch, PlacedImage, Placement, PlacingCamera, PlacingOptions, PlacingVerdict, PlacingWeakness, RecordedPosition, Rectified,
+    Relief, SearchArea, control_by_hand, ground_positions, heights_of_block, heights_of_points, image_positions, links_table,
+    place_by_links, place_film, place_film_by_links, place_image, place_recorded, placed_table, rectify, rectify_placed, write_geotiff,
+    write_heights,
 };
 pub use outputs::{
     AccuracyMap, AccuracySummary, BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, CovarianceUnknown, Covariances,
@@ -138,9 +139,9 @@ pub use points::{
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points,
 };
 pub use reconstruction::{
-    Axis, BlockWarning, ControlApart, LengthUnit, Mistake, ObservationSource, Observed, PointSource, ReconstructedModel, Reconstruction,
-    ReconstructionOptions, RefusedControl, RejectedObservation, RejectedPosition, SupportingPoint, SupportingRay, SurveyedPoint,
-    UnorientedImage, UnorientedReason, reconstruct_block,
+    Axis, BlockWarning, ControlApart, ControlKind, LengthUnit, Mistake, ObservationSource, Observed, PointSource, ReconstructedModel,
+    Reconstruction, ReconstructionOptions, RefusedControl, RejectedObservation, RejectedPosition, SupportingPoint, SupportingRay,
+    SurveyedPoint, UnorientedImage, UnorientedReason, reconstruct_block,
 };
 pub use report::{PAPER, Paper, PrintedOrientation, Report, ReportEdits, ReportImage, ReportStep, ReportTruth};
 pub use simulate::{

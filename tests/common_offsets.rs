@@ -2,7 +2,9 @@
 
 use super::flown::{GNSS_SIGMA_M, RTK_SIGMA_M, adjusted, control, flown, flown_by, place, refused};
 use super::scene::Scene;
-use tiepoint::{Axis, BlockWarning, ControlApart, ObservedPosition};
+use super::scene::selected;
+use super::surveyed::MARK_PX;
+use tiepoint::{Axis, BlockWarning, ControlApart, ControlKind, ObservedPosition, ReconstructionOptions};
 
 #[test]
 fn heights_of_another_zero_are_said_beside_positions_that_are_surer_than_they_differ() {
@@ -59,6 +61,33 @@ fn what_all_positions_differ_by_from_the_control_is_said() {
         let within = 4.0 * difference_m.abs() / times;
         assert!(axis == Axis::Z && (difference_m + 2.0).abs() < within && times > 5.0 && control, "{axis:?} {difference_m} {times}");
     }
+}
+
+/// Nobody gave the control points of a block that an orthophoto alone holds: its heights are what is named.
+#[test]
+fn heights_of_an_orthophoto_that_are_off_beside_positions_are_not_named_control_points() {
+    let said = |given: usize| {
+        let mut scene = flown_by(8, Some(RTK_SIGMA_M), 4);
+        scene.description.cameras.iter_mut().for_each(|camera| camera.free.focal = false);
+        for k in control(&scene) {
+            place(&mut scene.description.control[k])[2] += 5.0;
+        }
+        // Places of an orthophoto stand behind what was given.
+        let options = ReconstructionOptions { mark_sigma_px: MARK_PX, tested_control: Some(given), ..selected() };
+        let model = scene.reconstruct(&options).models.swap_remove(0);
+        let apart = |warning: &BlockWarning| match warning {
+            BlockWarning::PositionsApart { held_by, .. } => Some((*held_by, warning.to_string())),
+            _ => None,
+        };
+        model.warnings.iter().find_map(apart).unwrap_or_else(|| panic!("{:?}", model.warnings))
+    };
+    let (held_by, text) = said(0);
+    assert!(held_by == ControlKind::Places && text.contains("the heights of the orthophoto"), "{text}");
+    assert!(!text.contains("control points"), "{text}");
+    let (held_by, text) = said(4);
+    assert!(held_by == ControlKind::Both && text.contains("the control points and places of the orthophoto"), "{text}");
+    let (held_by, text) = said(12);
+    assert!(held_by == ControlKind::Surveyed && !text.contains("orthophoto"), "{text}");
 }
 
 /// A camera height that is off by 0.6 m beside a standard error of 0.02 m must not pass as right; positions that weigh little are outvoted by the control.

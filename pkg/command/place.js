@@ -28,7 +28,7 @@ export const place = {
     path(
       'positions',
       'positions.csv',
-      'GNSS positions of the images, in place of those that their files record, as `tiepoint block` takes them: image,longitude,latitude or, in a plane, image,x,y, and perhaps standard errors. Heights take no part.',
+      'GNSS positions of the images, in place of those that their files record, as `tiepoint block` takes them: image,longitude,latitude or, in a plane, image,x,y, and perhaps standard errors. Heights place nothing; precise ones check those of the ground.',
     ),
     path('crs', 'CRS', 'The coordinate system of positions in a plane: an EPSG code, PROJ text or WKT; that of the orthophoto where it has a code.'),
     path(

@@ -623,9 +623,21 @@ block-warning-positions-rejected =
     }
     .images = { $name } ({ FIXED($distance_m, digits: 1) } م)
 block-warning-positions-apart =
-    تختلف مواضع GNSS كلها على السواء عما تقوله نقاط الضبط في { $axis } بمقدار { FIXED($difference_m, digits: 2) } م، أي { FIXED($times, digits: 1) } أمثال الخطأ المعياري لهذا الفرق: { $axis ->
-        [z] ربما تُحسب ارتفاعاتها وارتفاعات نقاط الضبط من صفرين مختلفين، كالمجسم الإهليلجي ومستوى سطح البحر (--geoid-m)، أو
-       *[other] ربما كانت هي ونقاط الضبط في نظامين مختلفين، أو
+    تختلف مواضع GNSS كلها على السواء عما تقوله { $held_by ->
+        [places] مواضع الصورة المصححة
+        [both] نقاط الضبط ومواضع الصورة المصححة
+       *[surveyed] نقاط الضبط
+    } في { $axis } بمقدار { FIXED($difference_m, digits: 2) } م، أي { FIXED($times, digits: 1) } أمثال الخطأ المعياري لهذا الفرق: { $axis ->
+        [z] { $held_by ->
+            [places] ربما تُحسب ارتفاعاتها وارتفاعات الصورة المصححة من صفرين مختلفين، كالمجسم الإهليلجي ومستوى سطح البحر (--geoid-m)، أو هذه منزاحة كلها، أو
+            [both] ربما تُحسب ارتفاعاتها وارتفاعات نقاط الضبط والصورة المصححة من أصفار مختلفة، كالمجسم الإهليلجي ومستوى سطح البحر (--geoid-m)، أو بعضها منزاح كله، أو
+           *[surveyed] ربما تُحسب ارتفاعاتها وارتفاعات نقاط الضبط من صفرين مختلفين، كالمجسم الإهليلجي ومستوى سطح البحر (--geoid-m)، أو
+        }
+       *[other] ربما كانت هي { $held_by ->
+            [places] والصورة المصححة في نظامين مختلفين
+            [both] ونقاط الضبط والصورة المصححة في أنظمة مختلفة
+           *[surveyed] ونقاط الضبط في نظامين مختلفين
+        }، أو
     } للمواضع إزاحة مشتركة (--gnss-errors offset).{ $images_m ->
         [none] {""}
        *[other] {" "}وقد تبعتها الصور بمقدار { FIXED($images_m, digits: 2) } م، وهو ما لا تغطيه أخطاؤها المعيارية.
@@ -1128,12 +1140,22 @@ placing-weakness-height-factor = تطلب النقاط فروق ارتفاع ت�
 placing-weakness-relief = في { PERCENT($displaced, digits: 0) } من الصورة تقع النقاط معًا في غير الموضع الذي تحدده الارتفاعات: تحقق من أن الارتفاعات لهذه الأرض وبوحدة الصورة المصححة. منسوب واحد يصلح للأرض المستوية وحدها.
 placing-weakness-gnss = تبعد أفقيًا { FIXED($plan_m, digits: 0) } م عن موقعها في GNSS، والمعتاد { FIXED($usual_m, digits: 0) } م على الأكثر: تحقق من النظام الإحداثي للصورة المصححة ومن الارتفاعات ومن الموقع.
 placing-weakness-far-from-gnss = تبعد { SIGNIFICANT($distance_km, digits: 3) } كم عن موقعها في GNSS. { $place_slip }
+placing-weakness-gnss-height =
+    تقع { SIGN($height_m) ->
+        [minus] أدنى
+       *[plus] أعلى
+    } من موقعها في GNSS بمقدار { AMOUNT($height_m, digits: 1) } م، والمعتاد { FIXED($usual_m, digits: 1) } م على الأكثر: تحقق من الارتفاعات، فهي منزاحة كلها أو محسوبة من صفر غير صفر الموقع (المجسم الإهليلجي أو مستوى سطح البحر)، ومن الموقع.
 placing-weakness-noise = الجذر التربيعي لمتوسط مربعات المتبقيات { FIXED($rmse_px, digits: 2) } بكسل، وتبلغ الصور الجيدة { FIXED($usual_px, digits: 2) } بكسل: تحقق من الارتفاعات ومن عمر الصورة المصححة.
 
 # How an image with a GNSS position was sought on an orthophoto.
 place-search-gnss = عُثر عليها ضمن { FIXED($within_m, digits: 0) } م من موقعها في GNSS، وتبعد عنه أفقيًا { FIXED($plan_m, digits: 1) } م.
 place-search-apart-from-gnss = تبعد أفقيًا { FIXED($plan_m, digits: 0) } م عن موقعها في GNSS، وهو صحيح عادةً ضمن { FIXED($usual_m, digits: 0) } م: تحقق من النظام الإحداثي للصورة المصححة ومن الارتفاعات ومن الموقع.
 place-search-far-from-gnss = تبعد { SIGNIFICANT($distance_km, digits: 3) } كم عن موقعها في GNSS. { $place_slip }
+place-search-height-apart-from-gnss =
+    تقع { SIGN($height_m) ->
+        [minus] أدنى
+       *[plus] أعلى
+    } من موقعها في GNSS بمقدار { AMOUNT($height_m, digits: 1) } م، وهو صحيح ضمن { FIXED($usual_m, digits: 1) } م: تحقق من الارتفاعات، فهي منزاحة كلها أو محسوبة من صفر غير صفر الموقع (المجسم الإهليلجي أو مستوى سطح البحر)، ومن الموقع.
 place-search-beyond-gnss = لم يُعثر عليها ضمن { FIXED($within_m, digits: 0) } م من موقعها في GNSS؛ وبُحث في الصورة المصححة كلها.
 
 # What the place of an image is worth.
@@ -1668,6 +1690,10 @@ observation-group-gnss-plan = مواضع GNSS، الأفقية
 observation-group-gnss-height = مواضع GNSS، الارتفاعات
 observation-group-control-plan = نقاط الضبط، الأفقية
 observation-group-control-height = نقاط الضبط، الارتفاعات
+place-group-places-plan = مواضع الصورة المصححة، الأفقية
+place-group-places-height = مواضع الصورة المصححة، الارتفاعات
+place-group-control-and-places-plan = نقاط الضبط ومواضع الصورة المصححة، الأفقية
+place-group-control-and-places-height = نقاط الضبط ومواضع الصورة المصححة، الارتفاعات
 
 # Cameras and strips are counted from 0: NTH gives the number that people count by.
 systematic-error-lever-arm = ذراع الهوائي للكاميرا { NTH($camera) }

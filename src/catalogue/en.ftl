@@ -1134,9 +1134,21 @@ block-warning-positions-rejected =
     }
     .images = { $name } ({ FIXED($distance_m, digits: 1) } m)
 block-warning-positions-apart =
-    In { $axis } all GNSS positions differ alike from what the control points say, by { FIXED($difference_m, digits: 2) } m, { FIXED($times, digits: 1) } times the standard error of this difference: { $axis ->
-        [z] they and the control points may count heights from different zeros, such as the ellipsoid and sea level (--geoid-m), or
-       *[other] they and the control points may be in different systems, or
+    In { $axis } all GNSS positions differ alike from what { $held_by ->
+        [places] the places of the orthophoto
+        [both] the control points and places of the orthophoto
+       *[surveyed] the control points
+    } say, by { FIXED($difference_m, digits: 2) } m, { FIXED($times, digits: 1) } times the standard error of this difference: { $axis ->
+        [z] { $held_by ->
+            [places] they and the heights of the orthophoto may count from different zeros, such as the ellipsoid and sea level (--geoid-m), these may be off as a whole, or
+            [both] they, the control points and the heights of the orthophoto may count from different zeros, such as the ellipsoid and sea level (--geoid-m), heights may be off as a whole, or
+           *[surveyed] they and the control points may count heights from different zeros, such as the ellipsoid and sea level (--geoid-m), or
+        }
+       *[other] they and { $held_by ->
+            [places] the orthophoto
+            [both] the control points and the orthophoto
+           *[surveyed] the control points
+        } may be in different systems, or
     } the positions have an offset in common (--gnss-errors offset).{ $images_m ->
         [none] {""}
        *[other] {" "}The images have followed them by { FIXED($images_m, digits: 2) } m, which their standard errors do not cover.
@@ -1654,12 +1666,22 @@ placing-weakness-height-factor = The points ask for differences of height { FIXE
 placing-weakness-relief = In { PERCENT($displaced, digits: 0) } of the image the points lie together elsewhere than the heights put them: check that the heights are of this ground, and in the unit of the orthophoto. One level stands for level ground alone.
 placing-weakness-gnss = It lies { FIXED($plan_m, digits: 0) } m from its GNSS position in plan, where { FIXED($usual_m, digits: 0) } m are usual at most: check the coordinate system of the orthophoto, the heights and the position.
 placing-weakness-far-from-gnss = It lies { SIGNIFICANT($distance_km, digits: 3) } km from its GNSS position. { $place_slip }
+placing-weakness-gnss-height =
+    It lies { AMOUNT($height_m, digits: 1) } m { SIGN($height_m) ->
+        [minus] below
+       *[plus] above
+    } its GNSS position, where { FIXED($usual_m, digits: 1) } m are usual at most: check the heights, which are off as a whole or count from another zero than the position (ellipsoid, sea level), and the position.
 placing-weakness-noise = Residuals are { FIXED($rmse_px, digits: 2) } px in the root mean square, where good pictures reach { FIXED($usual_px, digits: 2) } px: check the heights and the age of the orthophoto.
 
 # How an image with a GNSS position was sought on an orthophoto.
 place-search-gnss = Found within { FIXED($within_m, digits: 0) } m of its GNSS position, { FIXED($plan_m, digits: 1) } m from it in plan.
 place-search-apart-from-gnss = It lies { FIXED($plan_m, digits: 0) } m from its GNSS position in plan, which is right to { FIXED($usual_m, digits: 0) } m as a rule: check the coordinate system of the orthophoto, the heights and the position.
 place-search-far-from-gnss = It lies { SIGNIFICANT($distance_km, digits: 3) } km from its GNSS position. { $place_slip }
+place-search-height-apart-from-gnss =
+    It lies { AMOUNT($height_m, digits: 1) } m { SIGN($height_m) ->
+        [minus] below
+       *[plus] above
+    } its GNSS position, which is right to { FIXED($usual_m, digits: 1) } m: check the heights, which are off as a whole or count from another zero than the position (ellipsoid, sea level), and the position.
 place-search-beyond-gnss = Not found within { FIXED($within_m, digits: 0) } m of its GNSS position; all of the orthophoto was searched.
 
 # What the place of an image is worth.
@@ -1674,6 +1696,10 @@ observation-group-gnss-plan = GNSS positions, horizontal
 observation-group-gnss-height = GNSS positions, vertical
 observation-group-control-plan = control points, horizontal
 observation-group-control-height = control points, vertical
+place-group-places-plan = places of the orthophoto, horizontal
+place-group-places-height = places of the orthophoto, vertical
+place-group-control-and-places-plan = control points and places of the orthophoto, horizontal
+place-group-control-and-places-height = control points and places of the orthophoto, vertical
 
 # Cameras and strips are counted from 0: NTH gives the number that people count by.
 systematic-error-lever-arm = lever arm of camera { NTH($camera) }

@@ -69,7 +69,22 @@ impl LeastSquares {
         start_affine: [[f64; 2]; 2],
         options: &LeastSquaresOptions,
     ) -> Result<Fit, Refusal> {
-        self.model.take(left, left_position, &mut self.left).map_err(|reason| match reason {
+        self.fit_part((left, left_position), (right, start), start_affine, options, &|_| true)
+    }
+
+    /// As [`fit`](Self::fit), by those pixels of the left window that take part: the others show something else in the right image.
+    ///
+    /// # Errors
+    /// [`Refusal`]; [`Refusal::Degenerate`] where it is less than half of them.
+    pub fn fit_part(
+        &mut self,
+        (left, left_position): (GreyView<'_>, [f64; 2]),
+        (right, start): (GreyView<'_>, [f64; 2]),
+        start_affine: [[f64; 2]; 2],
+        options: &LeastSquaresOptions,
+        takes_part: &dyn Fn([f64; 2]) -> bool,
+    ) -> Result<Fit, Refusal> {
+        self.model.take(left, left_position, &mut self.left, takes_part).map_err(|reason| match reason {
             NoModel::Outside => Refusal::LeftImage,
             NoModel::Degenerate => Refusal::Degenerate,
         })?;
@@ -121,14 +136,14 @@ impl LeastSquares {
 
     /// Of the left window with the right one.
     fn correlation(&self, sums: &Sums) -> f64 {
-        let square = sums.square - sums.one * sums.one / (self.side * self.side) as f64;
+        let square = sums.square - sums.one * sums.one / self.model.pixels;
         if square > 0.0 { (sums.grey / (square.sqrt() * self.model.square.sqrt())).min(1.0) } else { 0.0 }
     }
 
     /// The change of the left window that explains the right one best; `None` where they do not correlate.
     fn change(&self, sums: &Sums, with_affine: bool) -> Option<Vector6<f64>> {
         let gain = sums.grey / self.model.square;
-        let pixels = (self.side * self.side) as f64;
+        let pixels = self.model.pixels;
         if !(gain > 0.0 && sums.square - sums.one * sums.one / pixels > LEAST_VARIANCE * pixels) {
             return None;
         }
@@ -173,7 +188,7 @@ impl LeastSquares {
 
     fn result(&self, sums: &Sums, warp: &Warp, options: &LeastSquaresOptions, iterations: usize) -> Result<Fit, Refusal> {
         let model = &self.model;
-        let pixels = (self.side * self.side) as f64;
+        let pixels = model.pixels;
         let gain = sums.grey / model.square;
         let square = sums.square - sums.one * sums.one / pixels;
         let correlation = self.correlation(sums);
@@ -309,6 +324,32 @@ mod tests {
         }
         let (error, ratio) = ((squares / number).sqrt(), squares / predicted);
         assert!(error < 0.05 && (0.7..1.4).contains(&ratio), "{error} px, {ratio}");
+    }
+
+    #[test]
+    fn what_takes_no_part_moves_nothing() {
+        let (left, right, truth) = pair(UNIT, [0.6, -0.3], [1.0, 0.0, 0.0], 1);
+        // On one side of each place the right image shows what lies 3 px farther, as behind a wall.
+        let mut matching = LeastSquares::new(21);
+        let (mut largest, mut largest_of_all) = (0.0, 0.0);
+        for place in places() {
+            let expected = truth(place);
+            let is_hidden = |column: f64| column > place[0] + 4.0;
+            let shown = |c: usize, r: usize| {
+                let from = if is_hidden(c as f64 + 0.5 - 0.6) && c >= 3 { c - 3 } else { c };
+                right.view().at(from, r)
+            };
+            let behind = GreyImage::from_fn(SIZE, SIZE, shown).unwrap();
+            let mut error = |takes_part: &dyn Fn([f64; 2]) -> bool| {
+                let options = LeastSquaresOptions { least_correlation: 0.0, least_promising: 0.0, ..LeastSquaresOptions::default() };
+                let fit = matching.fit_part((left.view(), place), (behind.view(), expected), UNIT, &options, takes_part);
+                fit.map(|fit| square_distance(fit.position, expected).sqrt())
+            };
+            largest = f64::max(largest, error(&|at| !is_hidden(at[0] + 2.0)).unwrap());
+            largest_of_all = f64::max(largest_of_all, error(&|_| true).unwrap_or(0.0));
+            assert_eq!(error(&|at| at[0] < place[0] - 1.0).unwrap_err(), Refusal::Degenerate, "less than half of it");
+        }
+        assert!(largest < 0.02 && largest_of_all > 0.2, "{largest} {largest_of_all}");
     }
 
     #[test]

@@ -13,14 +13,18 @@ const LEAST_GRADIENT: f64 = 1.0;
 const LEAST_ROUNDNESS: f64 = 0.1;
 /// Least part of an unknown's weight that the other unknowns leave it.
 const LEAST_PIVOT: f64 = 1e-3;
+/// The share of the pixels that takes part, at least.
+const LEAST_PART: f64 = 0.5;
 
 /// A window of the left image, with the derivatives from which gain and offset were eliminated.
 pub(super) struct WindowModel {
     side: usize,
-    /// Distance from the centre in px, and 1 for each pixel of the window; 0 in the places that fill up to a multiple of 4.
+    /// Distance from the centre in px, and 1 for each pixel of the window that takes part; 0 in the places that fill up to a multiple of 4.
     pub x: Vec<f32>,
     pub y: Vec<f32>,
     pub ones: Vec<f32>,
+    /// How many pixels take part.
+    pub pixels: f64,
     /// Grey values less their mean.
     pub grey: Vec<f32>,
     /// Derivatives by the unknowns of the deformation, made orthogonal to 1 and to the grey values.
@@ -52,6 +56,7 @@ impl WindowModel {
             x: table(&|k| (k % side) as f32 - reach),
             y: table(&|k| (k / side) as f32 - reach),
             ones: table(&|_| 1.0),
+            pixels: pixels as f64,
             grey: vec![0.0; length],
             derivatives: std::array::from_fn(|_| vec![0.0; length]),
             framed: vec![0.0; ((side + 2) * (side + 2)).next_multiple_of(4)],
@@ -62,22 +67,38 @@ impl WindowModel {
         }
     }
 
-    /// Takes the window centred on a position, between pixels by the spline.
-    pub fn take(&mut self, image: GreyView<'_>, position: [f64; 2], spline: &mut Spline) -> Result<(), NoModel> {
+    /// Takes the window centred on a position, between pixels by the spline: of its pixels those that take part.
+    pub fn take(
+        &mut self,
+        image: GreyView<'_>,
+        position: [f64; 2],
+        spline: &mut Spline,
+        takes_part: &dyn Fn([f64; 2]) -> bool,
+    ) -> Result<(), NoModel> {
         self.frame(image, position, spline).ok_or(NoModel::Outside)?;
         let (side, stride) = (self.side, self.side + 2);
-        let total: f64 = (0..side).map(|r| self.framed[(r + 1) * stride + 1..][..side].iter().map(|g| f64::from(*g)).sum::<f64>()).sum();
-        self.mean = total / (side * side) as f64;
+        for ((one, x), y) in self.ones.iter_mut().zip(&self.x).zip(&self.y).take(side * side) {
+            *one = if takes_part([position[0] + f64::from(*x), position[1] + f64::from(*y)]) { 1.0 } else { 0.0 };
+        }
+        self.pixels = self.ones.iter().map(|one| f64::from(*one)).sum();
+        if self.pixels < LEAST_PART * (side * side) as f64 {
+            return Err(NoModel::Degenerate);
+        }
+        let of_row = |r: usize| {
+            let (framed, ones) = (&self.framed[(r + 1) * stride + 1..][..side], &self.ones[r * side..][..side]);
+            framed.iter().zip(ones).map(|(grey, one)| f64::from(*grey) * f64::from(*one)).sum::<f64>()
+        };
+        self.mean = (0..side).map(of_row).sum::<f64>() / self.pixels;
         let mean = self.mean as f32;
         for r in 0..side {
             for c in 0..side {
                 let (k, place) = (r * side + c, (r + 1) * stride + c + 1);
                 let along_x = 0.5 * (self.framed[place + 1] - self.framed[place - 1]);
                 let along_y = 0.5 * (self.framed[place + stride] - self.framed[place - stride]);
-                let (x, y) = (self.x[k], self.y[k]);
-                self.grey[k] = self.framed[place] - mean;
+                let (x, y, one) = (self.x[k], self.y[k], self.ones[k]);
+                self.grey[k] = one * (self.framed[place] - mean);
                 let derivatives = [along_x, along_y, along_x * x, along_x * y, along_y * x, along_y * y];
-                self.derivatives.iter_mut().zip(derivatives).for_each(|(column, value)| column[k] = value);
+                self.derivatives.iter_mut().zip(derivatives).for_each(|(column, value)| column[k] = one * value);
             }
         }
         self.square = dot(&self.grey, &self.grey);
@@ -128,9 +149,8 @@ impl WindowModel {
 
     /// The part of each derivative that a change of gain and offset cannot explain.
     fn eliminate_gain_and_offset(&mut self) {
-        let pixels = (self.side * self.side) as f64;
         for column in &mut self.derivatives {
-            let mean = Lanes::splat((dot(column, &self.ones) / pixels) as f32);
+            let mean = Lanes::splat((dot(column, &self.ones) / self.pixels) as f32);
             let share = Lanes::splat((dot(column, &self.grey) / self.square) as f32);
             for ((value, grey), one) in column.chunks_exact_mut(4).zip(self.grey.chunks_exact(4)).zip(self.ones.chunks_exact(4)) {
                 let left = Lanes::load(value) - (mean * Lanes::load(one) + share * Lanes::load(grey));
@@ -151,7 +171,7 @@ impl WindowModel {
         let (trace, determinant) = (shift[(0, 0)] + shift[(1, 1)], shift[(0, 0)] * shift[(1, 1)] - shift[(0, 1)] * shift[(1, 0)]);
         let weakest = 0.5 * (trace - (trace * trace - 4.0 * determinant).max(0.0).sqrt());
         let round = 4.0 * determinant >= LEAST_ROUNDNESS * trace * trace;
-        if !(round && weakest >= LEAST_GRADIENT * (self.side * self.side) as f64) {
+        if !(round && weakest >= LEAST_GRADIENT * self.pixels) {
             return Err(NoModel::Degenerate);
         }
         self.inverse_of_shift = Matrix2::new(shift[(1, 1)], -shift[(0, 1)], -shift[(1, 0)], shift[(0, 0)]) / determinant;

@@ -3,6 +3,7 @@
 use super::texts::NESTED;
 use super::{Message, Texts};
 use crate::json::{JsonFault, JsonKind, JsonSlip, JsonSyntax, JsonWanted};
+use crate::outputs::PlaceGroup;
 use crate::{
     Allowed, Axis, BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, ControlApart, Damage, Degeneracy,
     DescribedBy, Document, Element, Error, Failure, Few, FileFault, FileKind, FilePlace, ImageFault, ImageOperation, ImageReason, Input,
@@ -94,6 +95,7 @@ fn families() -> Vec<Family> {
         family::<Observed>(),
         family::<OverviewWarning>(),
         family::<ObservationGroup>(),
+        family::<PlaceGroup>(),
         family::<SystematicError>(),
         family::<SystematicVerdict>(),
         family::<ReportStep>(),

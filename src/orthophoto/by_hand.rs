@@ -10,12 +10,13 @@ use super::place::first_orientation;
 use super::placement::{Part, moved, placement};
 use super::precision::total_errors;
 use super::recorded_place::judged;
+use super::recorded_position::RecordedPosition;
 use super::rectify::Seen;
 use super::reference::Orthophoto;
 use super::relief::{Relief, height_factor};
 use super::verdict::verdict;
 use crate::error::refuse;
-use crate::{Camera, Error, ExifPosition, Failure, Few, Location, Refusal};
+use crate::{Camera, Error, Failure, Few, Location, Refusal};
 use serde::{Deserialize, Serialize};
 
 /// What a given link is for.
@@ -61,7 +62,7 @@ const BY_HAND_PX: f64 = std::f64::consts::SQRT_2 * BY_EYE_PX;
 /// [`Error::TooFew`] for fewer than 4 links that take part; [`Error::InvalidInput`] for one beside the image or the heights.
 pub fn place_by_links(
     known: &PlacingCamera,
-    position: Option<&ExifPosition>,
+    position: Option<&RecordedPosition>,
     reference: &Orthophoto,
     start: Option<&Placement>,
     links: &[GivenLink],
@@ -171,7 +172,7 @@ mod tests {
     use super::*;
     use crate::orthophoto::into_system::recorded_place;
     use crate::orthophoto::outcome::{PlaceSearch, PlacingWeakness};
-    use crate::{Camera, CameraUncertainty, Georeference, GreyImage, Pose, rotation_from_angles};
+    use crate::{Camera, CameraUncertainty, ExifPosition, Georeference, GreyImage, Pose, rotation_from_angles};
 
     const ORIGIN: [f64; 2] = [500_000.0, 5_400_000.0];
 
@@ -257,12 +258,12 @@ mod tests {
         let at = recorded_place(&position(0.0), &reference).unwrap().place;
         let north_m = pose().position[1] - at[1];
         let deg = |m: f64| (north_m + m) / 111_200.0;
-        let by = |links: &[GivenLink], position: Option<&ExifPosition>, options: &PlacingOptions| {
-            place_by_links(&known(), position, &reference, None, links, options).unwrap()
+        let by = |links: &[GivenLink], position: Option<ExifPosition>, options: &PlacingOptions| {
+            place_by_links(&known(), position.map(RecordedPosition::from).as_ref(), &reference, None, links, options).unwrap()
         };
         let (all, options) = (links(60), PlacingOptions::default());
         for (off_m, is_doubted) in [(0.0, false), (27.0, false), (33.0, true), (-400.0, true)] {
-            let placed = by(&all, Some(&position(deg(off_m))), &options);
+            let placed = by(&all, Some(position(deg(off_m))), &options);
             match placed.verdict {
                 PlacingVerdict::Placed { .. } => assert!(!is_doubted, "{off_m} m"),
                 PlacingVerdict::Weak { placing_weakness: PlacingWeakness::Gnss { plan_m, .. }, .. } => {
@@ -272,13 +273,45 @@ mod tests {
             }
         }
         // Another doubt stays, with the distance beside it; and a rough place goes before the position.
-        let few = by(&all[..12], Some(&position(deg(-400.0))), &options);
+        let few = by(&all[..12], Some(position(deg(-400.0))), &options);
         assert!(matches!(few.verdict, PlacingVerdict::Weak { placing_weakness: PlacingWeakness::FewLinks { .. }, .. }), "{}", few.verdict);
         assert!(matches!(few.search, Some(PlaceSearch::ApartFromGnss { .. })), "{:?}", few.search);
         let near = PlacingOptions { near_x: Some(ORIGIN[0]), near_y: Some(ORIGIN[1]), ..options.clone() };
-        for placed in [by(&all, Some(&position(deg(-400.0))), &near), by(&all, None, &options)] {
+        for placed in [by(&all, Some(position(deg(-400.0))), &near), by(&all, None, &options)] {
             assert!(matches!(placed.verdict, PlacingVerdict::Placed { .. }) && placed.search.is_none(), "{}", placed.verdict);
         }
+    }
+
+    #[test]
+    fn heights_that_are_off_as_a_whole_are_doubted_beside_a_precise_gnss_position() {
+        let by = |level: f64, height_error_m: Option<f64>, links: &[GivenLink]| {
+            let mut reference = reference();
+            (reference.heights, reference.epsg) = (Heights::Level(level), Some(32632));
+            let height_m = Some(pose().position[2]);
+            let position = ExifPosition { longitude_deg: 9.000_163, latitude_deg: 48.752_2, height_m, error_m: None };
+            let position = RecordedPosition { height_error_m, ..position.into() };
+            let options = PlacingOptions { height_sigma_m: Some(0.5), ..PlacingOptions::default() };
+            place_by_links(&known(), Some(&position), &reference, None, links, &options).unwrap()
+        };
+        let all = links(60);
+        for (level, height_error_m, off_m) in [(55.0, Some(0.03), Some(5.0)), (45.0, Some(0.03), Some(-5.0)), (50.0, Some(0.03), None)] {
+            match (by(level, height_error_m, &all).verdict, off_m) {
+                (PlacingVerdict::Placed { .. }, None) => {}
+                (PlacingVerdict::Weak { placing_weakness: PlacingWeakness::GnssHeight { height_m, usual_m }, .. }, Some(off_m)) => {
+                    assert!((height_m - off_m).abs() < 0.5 && (0.5..4.0).contains(&usual_m), "{height_m} m, {usual_m} m");
+                }
+                (other, _) => panic!("{level} m: {other}"),
+            }
+        }
+        // Of a receiver that states nothing, or states as much, the height says nothing; nor where nobody gave heights: they count from the ground.
+        for (level, height_error_m) in [(55.0, None), (55.0, Some(3.0)), (0.0, Some(0.03))] {
+            let placed = by(level, height_error_m, &all);
+            assert!(matches!(placed.verdict, PlacingVerdict::Placed { .. }), "{level} m: {}", placed.verdict);
+        }
+        // Another doubt stays, with the height beside it.
+        let few = by(55.0, Some(0.03), &all[..12]);
+        assert!(matches!(few.verdict, PlacingVerdict::Weak { placing_weakness: PlacingWeakness::FewLinks { .. }, .. }), "{}", few.verdict);
+        assert!(matches!(few.search, Some(PlaceSearch::HeightApartFromGnss { .. })), "{:?}", few.search);
     }
 
     #[test]

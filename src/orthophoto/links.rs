@@ -3,6 +3,7 @@
 
 use super::footprint::Footprint;
 use super::heights::Heights;
+use super::hidden::Hidden;
 use super::rectify::{Seen, rectify_from};
 use super::reference::Orthophoto;
 use crate::Georeference;
@@ -124,12 +125,15 @@ impl Over<'_> {
         let of = |positions, descriptors| Located { positions, descriptors };
         let matches = guided_matches(of(&ground_at, &ground_bytes), of(&own_at, &own_bytes), &Guide::Places(IDENTITY), &guided)?;
         let mut windows = LeastSquares::new(WINDOW);
+        let hidden = Hidden::new(&self.pose, self.heights, georeference, size);
+        let is_seen = |at: [f64; 2]| !hidden.about(at);
         let seen = Seen::new(&self.camera, &self.pose);
         let linked = matches.iter().filter_map(|m| {
             let (from, start) = (ground_at[m.left], own_at[m.right]);
             let to = if search.refines {
                 let limits = LeastSquaresOptions::default();
-                windows.fit((ground.view(), from), (grey.view(), start), [[1.0, 0.0], [0.0, 1.0]], &limits).ok()?.position
+                let unit = [[1.0, 0.0], [0.0, 1.0]];
+                windows.fit_part((ground.view(), from), (grey.view(), start), unit, &limits, &is_seen).ok()?.position
             } else {
                 start
             };

@@ -49,6 +49,8 @@ messages! {
         Gnss { plan_m: f64, usual_m: f64 },
         /// It lies so far from its GNSS position that one of them is of elsewhere, and what would bring one to the other.
         FarFromGnss { distance_km: f64, place_slip: PlaceSlip },
+        /// It lies higher than a precise GNSS position, or lower (below 0), than that, the place itself and the heights of the ground may be off.
+        GnssHeight { height_m: f64, usual_m: f64 },
         /// Links disagree far more than those of good pictures do.
         Noise { rmse_px: f64, usual_px: f64 },
     }
@@ -90,6 +92,8 @@ messages! {
         ApartFromGnss { plan_m: f64, usual_m: f64 },
         /// It was found so far from its position that one of them is of elsewhere, and is doubted for another reason.
         FarFromGnss { distance_km: f64, place_slip: PlaceSlip },
+        /// It was found higher than its precise position, or lower (below 0), than both may err, and is doubted for another reason.
+        HeightApartFromGnss { height_m: f64, usual_m: f64 },
         /// It was not: all that may be searched was.
         BeyondGnss { within_m: f64 },
     }

@@ -240,6 +240,28 @@ mod tests {
     }
 
     #[test]
+    fn links_beside_houses_do_not_make_an_image_larger() {
+        let own = scene(5);
+        let reference = own.orthophoto(0.8).unwrap();
+        let placement = placed(&own, &reference, &options()).unwrap().placement.unwrap();
+        let (camera, truth) = (own.truth().cameras[0], own.truth().images[0].pose.unwrap());
+        let seen = crate::orthophoto::Seen::new(&camera, &truth);
+        // Of errors of links, what grows with the distance from the principal point.
+        let (mut product, mut square) = (0.0, 0.0);
+        for link in placement.links.iter().filter(|link| link.role != crate::LinkUse::Rejected) {
+            let Some(at) = seen.at(&link.place) else { continue };
+            let from_middle = [0, 1].map(|k| at[k] - camera.principal_point_px[k]);
+            product += (link.at[0] - at[0]) * from_middle[0] + (link.at[1] - at[1]) * from_middle[1];
+            square += from_middle[0] * from_middle[0] + from_middle[1] * from_middle[1];
+        }
+        let larger = product / square;
+        assert!(placement.links.len() > 300 && larger.abs() < 1e-4, "{larger} by {} links", placement.links.len());
+        let [.., z] = placement.position_errors_m.unwrap();
+        let off = placement.pose.position[2] - truth.position[2];
+        assert!(off.abs() < 2.0 * z, "{off} ± {z} m");
+    }
+
+    #[test]
     fn what_shows_nothing_in_common_has_no_place() {
         let reference = scene(3).orthophoto(0.8).unwrap();
         let area = SearchArea::new(&reference, &options()).unwrap();

@@ -10,10 +10,11 @@ use super::outcome::{Link, PlacedImage, Placement};
 use super::photograph::Photograph;
 use super::place::place_photograph;
 use super::recorded_place::sought;
+use super::recorded_position::RecordedPosition;
 use super::reference::Orthophoto;
 use super::search_area::SearchArea;
 use crate::error::refuse;
-use crate::{Error, ExifPosition, FilmInput, FilmScan, GreyView, PlacingCamera, Refusal};
+use crate::{Error, FilmInput, FilmScan, GreyView, PlacingCamera, Refusal};
 
 /// Places a scanned photo on film by its interior orientation: as [`place_recorded`](crate::place_recorded), with the calibrated camera and the fiducial marks
 /// that were measured in the scan. What the scan shows beside the photograph, as the border of the film and its marks, is not matched. Positions of the
@@ -24,7 +25,7 @@ use crate::{Error, ExifPosition, FilmInput, FilmScan, GreyView, PlacingCamera, R
 pub fn place_film(
     scan: GreyView<'_>,
     film: &FilmInput,
-    position: Option<&ExifPosition>,
+    position: Option<&RecordedPosition>,
     reference: &Orthophoto,
     area: &SearchArea,
     options: &PlacingOptions,
@@ -45,7 +46,7 @@ pub fn place_film(
 /// As [`place_by_links`]; [`Error::InvalidInput`] for a link that takes part beside the frame.
 pub fn place_film_by_links(
     scan: &FilmScan,
-    position: Option<&ExifPosition>,
+    position: Option<&RecordedPosition>,
     reference: &Orthophoto,
     start: Option<&Placement>,
     links: &[GivenLink],

@@ -5,6 +5,8 @@ use super::into_system::{RecordedPlace, recorded_place};
 use super::options::PlacingOptions;
 use super::outcome::{PlaceSearch, PlacedImage, Placement, PlacingVerdict, PlacingWeakness};
 use super::place::place_image;
+use super::recorded_height::{HeightApart, RecordedHeight};
+use super::recorded_position::RecordedPosition;
 use super::reference::Orthophoto;
 use super::search_area::SearchArea;
 use crate::{Error, ExifPosition, GreyView};
@@ -17,7 +19,7 @@ use crate::{Error, ExifPosition, GreyView};
 pub fn place_recorded(
     image: GreyView<'_>,
     known: &PlacingCamera,
-    position: Option<&ExifPosition>,
+    position: Option<&RecordedPosition>,
     reference: &Orthophoto,
     area: &SearchArea,
     options: &PlacingOptions,
@@ -27,7 +29,7 @@ pub fn place_recorded(
 
 /// Has an image that may record a position placed in one area after the other, as [`place_recorded`] does.
 pub(super) fn sought(
-    position: Option<&ExifPosition>,
+    position: Option<&RecordedPosition>,
     reference: &Orthophoto,
     area: &SearchArea,
     options: &PlacingOptions,
@@ -57,14 +59,18 @@ struct Recorded<'a> {
     reference: &'a Orthophoto,
     /// Absent where it lies outside of that system.
     on_map: Option<RecordedPlace>,
+    /// Where that is precise.
+    height: Option<RecordedHeight>,
 }
 
 impl<'a> Recorded<'a> {
     /// Absent where another place is given by the options, which goes before it.
-    fn of(position: Option<&'a ExifPosition>, reference: &'a Orthophoto, options: &PlacingOptions) -> Option<Self> {
+    fn of(position: Option<&'a RecordedPosition>, reference: &'a Orthophoto, options: &PlacingOptions) -> Option<Self> {
         let is_free = options.near_x.is_none() && options.near_y.is_none();
-        let position = position.filter(|_| is_free && reference.is_on_earth())?;
-        Some(Self { position, reference, on_map: recorded_place(position, reference) })
+        let recorded = position.filter(|_| is_free && reference.is_on_earth())?;
+        let on_map = recorded_place(&recorded.position, reference);
+        let height = on_map.as_ref().and_then(|on_map| RecordedHeight::of(recorded, reference, options, on_map.unit_m));
+        Some(Self { position: &recorded.position, reference, on_map, height })
     }
 
     /// An image that was placed, with how far that is from its position in plan: heights of another ground and another system of the orthophoto show there
@@ -76,7 +82,7 @@ impl<'a> Recorded<'a> {
             other => other,
         };
         if !(plan_m > usual_m) {
-            return PlacedImage { search, ..placed };
+            return self.beside_height(PlacedImage { search, ..placed });
         }
         let far = (plan_m > FAR_M).then(|| (0.001 * plan_m, self.reference.slip(place, std::slice::from_ref(self.position), 0.0)));
         match (placed.verdict, far) {
@@ -92,6 +98,20 @@ impl<'a> Recorded<'a> {
                 PlacedImage { verdict, search: Some(PlaceSearch::FarFromGnss { distance_km, place_slip }), ..placed }
             }
             (verdict, None) => PlacedImage { verdict, search: Some(PlaceSearch::ApartFromGnss { plan_m, usual_m }), ..placed },
+        }
+    }
+
+    /// An image that lies near its position in plan: where it is higher or lower than a precise one, it is placed with doubt.
+    fn beside_height(&self, placed: PlacedImage) -> PlacedImage {
+        let of_placement = |placement: &Placement| self.height.as_ref()?.apart(placement, self.on_map.as_ref()?.unit_m);
+        let Some(HeightApart { height_m, usual_m }) = placed.placement.as_ref().and_then(of_placement) else { return placed };
+        match placed.verdict {
+            PlacingVerdict::Placed { links, .. } => {
+                let verdict = PlacingVerdict::Weak { links, placing_weakness: PlacingWeakness::GnssHeight { height_m, usual_m } };
+                PlacedImage { verdict, ..placed }
+            }
+            // What is doubted already says its own reason first.
+            verdict => PlacedImage { verdict, search: Some(PlaceSearch::HeightApartFromGnss { height_m, usual_m }), ..placed },
         }
     }
 
@@ -112,7 +132,7 @@ impl<'a> Recorded<'a> {
 /// An image that was placed without a search, judged beside its position as one that was sought.
 pub(super) fn judged(
     placed: PlacedImage,
-    position: Option<&ExifPosition>,
+    position: Option<&RecordedPosition>,
     reference: &Orthophoto,
     options: &PlacingOptions,
 ) -> PlacedImage {
@@ -216,7 +236,7 @@ mod tests {
         let at = |plan_m: f64, unit_m: f64| [1000.0 + 0.6 * plan_m / unit_m, 2000.0 - 0.8 * plan_m / unit_m, 600.0];
         let beside = |placed: PlacedImage, unit_m: f64, error_m: Option<f64>| {
             let on_map = Some(RecordedPlace { place: [1000.0, 2000.0], unit_m });
-            Recorded { position: &recorded(8.0, 50.0, error_m), reference: &reference, on_map }.beside(placed)
+            Recorded { position: &recorded(8.0, 50.0, error_m), reference: &reference, on_map, height: None }.beside(placed)
         };
         let of = |plan_m: f64, errors: Option<[f64; 3]>, unit_m: f64, error_m: Option<f64>| {
             beside(placed_at(at(plan_m, unit_m), errors, sure()), unit_m, error_m)
@@ -264,7 +284,7 @@ mod tests {
         let judged = |epsg: u16, at: [f64; 2], position: ExifPosition| {
             let sure = PlacingVerdict::Placed { links: 400, sigma0_px: 0.3, half_width_m: 0.2 };
             let placed = PlacedImage { search: None, ..placed_at([at[0], at[1], 600.0], Some([0.1; 3]), sure) };
-            judged(placed, Some(&position), &reference(epsg), &PlacingOptions::default()).verdict
+            judged(placed, Some(&position.into()), &reference(epsg), &PlacingOptions::default()).verdict
         };
         let far = |epsg: u16, at: [f64; 2], position: ExifPosition| match judged(epsg, at, position) {
             PlacingVerdict::Weak { placing_weakness: PlacingWeakness::FarFromGnss { distance_km, place_slip }, .. } => {

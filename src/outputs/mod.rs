@@ -15,6 +15,7 @@ mod orientation_summary;
 mod overview;
 mod pair;
 mod pairs;
+mod place_group;
 mod precision;
 mod project;
 mod refined;
@@ -39,6 +40,8 @@ pub use orientation_summary::SystematicSummary;
 pub use overview::{BlockOverview, CameraRow, FoundPoints, PointColumns, RayCount};
 pub use pair::{PairEdits, PairPhoto, PairRun, PairTruth};
 pub use pairs::PairRow;
+#[cfg(test)]
+pub(crate) use place_group::PlaceGroup;
 pub use project::{PROJECT_VERSION, Project, ProjectKind, project_kind, read_project, write_block_project, write_pair_project};
 pub use summary::{ExportOutcome, Summary};
 pub use verdict::BlockVerdict;

@@ -2,11 +2,12 @@
 
 use super::check_summary::CheckSummary;
 use super::in_system::InSystem;
+use super::place_group::PlaceGroup;
 use super::with_text::WithText;
 use crate::math::median;
 use crate::{
-    BlockRun, BlockWarning, Camera, Datum, Factors95, Failure, GeographicOrigin, ObservationVerdict, RayCountRmse, ReconstructedModel,
-    SystematicError, SystematicStatistics, UnorientedReason, VarianceComponent,
+    BlockRun, BlockWarning, Camera, Datum, Factors95, Failure, GeographicOrigin, ObservationGroup, ObservationVerdict, RayCountRmse,
+    ReconstructedModel, SystematicError, SystematicStatistics, UnorientedReason, VarianceComponent,
 };
 use serde::Serialize;
 
@@ -154,12 +155,17 @@ fn model_summary(model: &ReconstructedModel, shown: &InSystem<'_>, name: impl Fn
         components: adjusted
             .components
             .iter()
-            .map(|component| ComponentSummary { name: component.group.to_string(), component: *component })
+            .map(|component| ComponentSummary { name: name_of(component.group, model), component: *component })
             .collect(),
         systematic: SystematicSummary::of_model(model, &name),
         checks: CheckSummary::of(&shown.points_of(model)),
         warnings: model.warnings.iter().cloned().map(WithText::of).collect(),
     }
+}
+
+/// Control points may be places of an orthophoto.
+fn name_of(group: ObservationGroup, model: &ReconstructedModel) -> String {
+    PlaceGroup::of(group, &model.surveyed).map_or_else(|| group.to_string(), |group| group.to_string())
 }
 
 /// Of each of three values; absent without any.

@@ -68,6 +68,7 @@ pub use job::{FileNeeded, Job, News, ReadImage, StageName, Step, Work};
 pub(crate) use mask_file::decode_mask;
 pub use masks::masks_of;
 pub use named_images::measurements_of_images;
+pub(crate) use observed::stated_height_error;
 pub use on_orthophoto::{NotLinked, OnOrthophoto};
 pub(crate) use place_names::{is_place_of_orthophoto, name_by_hand};
 pub(crate) use place_slip::place_slip;

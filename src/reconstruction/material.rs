@@ -25,6 +25,12 @@ impl Known<'_> {
         let own = if let PointSource::GroundControl(control) = point { own(control) } else { None };
         own.unwrap_or(self.options.mark_sigma_px)
     }
+
+    /// Whether a control point is a place of an orthophoto: these are behind those that were given.
+    pub fn is_place(&self, name: &str) -> bool {
+        let own = self.options.tested_control.unwrap_or(usize::MAX);
+        self.description.control.iter().skip(own).any(|point| point.name == name)
+    }
 }
 
 /// What models are finished with.

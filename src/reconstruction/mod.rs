@@ -9,6 +9,7 @@ mod check_refused;
 mod choosing;
 mod common_shift;
 mod control_course;
+mod control_kind;
 mod control_lost;
 mod control_shape;
 mod control_spread;
@@ -44,6 +45,7 @@ mod units;
 mod warning;
 
 pub(crate) use common_shift::{CommonShift, SHARED};
+pub use control_kind::ControlKind;
 pub(crate) use frame::{PLACING, origin_of};
 pub(crate) use mistake::Doubted;
 pub use mistake::{Axis, Mistake};

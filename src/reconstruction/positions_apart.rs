@@ -2,7 +2,8 @@
 //! one of them shows it.
 
 use super::control_course::ControlTests;
-use super::frame::Frame;
+use super::control_kind::ControlKind;
+use super::material::Known;
 use super::mistake::Axis;
 use super::result::ReconstructedModel;
 use super::warning::BlockWarning;
@@ -14,7 +15,8 @@ const LEAST_POSITIONS: usize = 4;
 const MOST_FOLLOWED: f64 = 2.0;
 
 /// The axis along which they are off the most, in standard errors, where that is beyond a limit.
-pub(super) fn of_common_positions(model: &ReconstructedModel, frame: &Frame, tests: &ControlTests, limit: f64) -> Option<BlockWarning> {
+pub(super) fn of_common_positions(model: &ReconstructedModel, known: &Known<'_>, tests: &ControlTests) -> Option<BlockWarning> {
+    let (frame, limit) = (known.frame, known.options.adjustment.limit());
     let datum = model.adjusted.datum;
     let taking = model.adjusted.images.iter().filter(|image| image.gnss.is_some_and(|gnss| gnss.accepted)).count();
     if !datum.uses_gnss() || !datum.uses_control() || model.adjusted.systematic.is_some() || taking < LEAST_POSITIONS {
@@ -23,13 +25,14 @@ pub(super) fn of_common_positions(model: &ReconstructedModel, frame: &Frame, tes
     let (block, accepted) = model.with_support();
     let offset = model.adjusted.common_offset(&block, &accepted).ok()?;
     let control = !tests.refused.is_empty() || tests.contradicting.is_some();
+    let held_by = ControlKind::of(&model.surveyed, |name| known.is_place(name));
     let of_axis = |axis: Axis| {
         let offset = offset[axis.index()]?;
         let focal = axis == Axis::Z && model.adjusted.block.cameras.iter().any(|camera| camera.free.focal);
         let times = offset.value.abs() / offset.error;
         let error_m = image_error_m(model, axis);
         let images_m = Some(offset.followed).filter(|followed| error_m.is_some_and(|error| followed.abs() > MOST_FOLLOWED * error));
-        Some((times, BlockWarning::PositionsApart { axis, difference_m: offset.value, times, images_m, focal, control }))
+        Some((times, BlockWarning::PositionsApart { axis, difference_m: offset.value, times, images_m, focal, control, held_by }))
     };
     // What a height that was not recorded differs by tells nothing.
     let observed = Axis::ALL.into_iter().filter(|axis| !(frame.is_levelled && *axis == Axis::Z));

@@ -57,7 +57,7 @@ pub(super) fn warnings(model: &ReconstructedModel, known: &Known<'_>, placing: P
     found.extend(of_sigma(model));
     found.extend(of_weights(model));
     found.extend(of_positions(model, description, frame));
-    found.extend(of_common_positions(model, frame, tests, known.options.adjustment.limit()));
+    found.extend(of_common_positions(model, known, tests));
     found.extend(of_position_errors(model));
     found.extend(scale);
     found.extend(of_control(model, known, tests));

@@ -1,5 +1,6 @@
 //! Warnings about an adjusted block, and why images are not in it.
 
+use super::control_kind::ControlKind;
 use super::mistake::{Axis, Mistake};
 use crate::message::messages;
 use crate::{CameraParameter, Cause, NamedCamera, PlaceSlip};
@@ -34,7 +35,7 @@ messages! {
         PositionsRejected { images: Vec<RejectedPosition> },
         /// A coordinate in which all GNSS positions differ alike from what ground control says. `difference_m`: that of the positions minus that of the
         /// control; `times`: by its standard error. `images_m`: how far the images have followed it, where that is beyond their standard errors. `focal`:
-        /// focal lengths that are estimated follow heights. `control`: control points were refused, which may be right.
+        /// focal lengths that are estimated follow heights. `control`: control points were refused, which may be right. `held_by`: what the control is.
         PositionsApart {
             axis: Axis,
             difference_m: f64,
@@ -45,6 +46,8 @@ messages! {
             focal: bool,
             #[serde(default)]
             control: bool,
+            #[serde(default)]
+            held_by: ControlKind,
         },
         /// GNSS positions that a table gives to so many images lie elsewhere than those that their files record, by so much in the median.
         /// `in_crs`: whether the table has them in the system that was named.

@@ -9,9 +9,9 @@ use super::file_in_parts::file_source;
 use super::heights::{read_heights, read_sidecars};
 use crate::{
     CameraRules, DecodeLimits, Error, ExifImage, ExifPosition, FilmInput, FilmScan, Geoid, GivenLink, GivenPosition, Heights, Orthophoto,
-    PartlyGiven, PlacedImage, Placement, PlacingCamera, PlacingOptions, SCAN_LIMITS, SearchArea, control_by_hand, decode, decode_bands,
-    ground_positions, image_positions, links_table, place_by_links, place_film, place_film_by_links, place_recorded, placed_table,
-    rectify_placed, write_geotiff,
+    PartlyGiven, PlacedImage, Placement, PlacingCamera, PlacingOptions, RecordedPosition, SCAN_LIMITS, SearchArea, control_by_hand, decode,
+    decode_bands, ground_positions, image_positions, links_table, place_by_links, place_film, place_film_by_links, place_recorded,
+    placed_table, rectify_placed, write_geotiff,
 };
 use serde::Deserialize;
 use serde_json::Value;
@@ -185,7 +185,7 @@ impl OrthophotoReference {
         let exif = ExifImage::read(file, image.width() as u64, image.height() as u64);
         let camera = PlacingCamera::of(&rules, &name, [image.width() as u32, image.height() as u32], &exif);
         let area = self.taken_area()?;
-        let position = position_of(given.as_ref(), &exif);
+        let position = RecordedPosition::of(given.as_ref(), &exif);
         let (grey, position) = (image.view(), position.as_ref());
         let placed = match &film {
             Some(film) => place_film(grey, film, position, &self.orthophoto, &area, &self.options),
@@ -247,7 +247,7 @@ impl OrthophotoReference {
             None => film.map(|film| FilmScan::new(&film, size.map(|side| side as usize))).transpose().map_err(thrown)?,
         };
         let exif = ExifImage::read(file, u64::from(size[0]), u64::from(size[1]));
-        let position = position_of(position.as_ref(), &exif);
+        let position = RecordedPosition::of(position.as_ref(), &exif);
         let position = position.as_ref();
         if let Some(scan) = scan {
             let placed = place_film_by_links(&scan, position, &self.orthophoto, placement.as_ref(), &links, &options);
@@ -315,11 +315,6 @@ fn part_of([column, row, width, height, halvings]: [&Number; 5]) -> JsResult<([u
 /// What the file of an image may ask for: that of a scan of film is the same wherever it is read.
 fn limits_of(is_film: bool) -> DecodeLimits {
     if is_film { SCAN_LIMITS } else { DecodeLimits::default() }
-}
-
-/// The GNSS position of an image: that of a table, else that which its file records.
-fn position_of(given: Option<&GivenPosition>, exif: &ExifImage) -> Option<ExifPosition> {
-    given.map(GivenPosition::as_recorded).or(exif.position)
 }
 
 /// What is known of a scan of film; absent where it is undefined or null.

@@ -7,7 +7,8 @@ use std::sync::OnceLock;
 use tiepoint::{
     BlockEdit, BlockLinks, BlockRun, CameraUncertainty, ControlRole, ControlTexts, Datum, DecodeLimits, ExifImage, ExifPosition, Failure,
     Georeference, HeightModel, Heights, Mosaic, NotLinked, OnOrthophoto, Orthophoto, PlaceSearch, PlacingCamera, PlacingOptions,
-    PlacingVerdict, PlacingWeakness, PointSource, Project, Remark, SearchArea, StereoPair, StereoSystem, decode, place_recorded,
+    PlacingVerdict, PlacingWeakness, PointSource, Project, RecordedPosition, Remark, SearchArea, StereoPair, StereoSystem, decode,
+    place_recorded,
 };
 
 /// The orthophoto of the scene in a zone of UTM, in a unit of so many m, with heights above the geoid in m.
@@ -239,7 +240,8 @@ fn an_image_is_sought_about_its_gnss_position_first_and_then_anywhere() {
     let options = PlacingOptions { within_m: 300.0, ..placing() };
     let place = |reference: &Orthophoto, position: Option<&ExifPosition>, options: &PlacingOptions| {
         let area = SearchArea::new(reference, options).unwrap();
-        let found = place_recorded(grey.view(), &known, position, reference, &area, options).unwrap();
+        let found =
+            place_recorded(grey.view(), &known, position.copied().map(RecordedPosition::from).as_ref(), reference, &area, options).unwrap();
         let placement = found.placement.unwrap_or_else(|| panic!("{}", found.verdict));
         let known = in_utm(truth.images[0].pose.unwrap().position);
         let off = (placement.pose.position[0] - known[0]).hypot(placement.pose.position[1] - known[1]);

@@ -1,5 +1,6 @@
 //! What the residuals say of stated standard errors.
 
+use super::super::place_group::PlaceGroup;
 use crate::html::{count, fixed, said};
 use crate::{ReconstructedModel, Texts, VarianceComponent};
 use maud::{Markup, html};
@@ -18,7 +19,7 @@ pub(super) fn components(texts: &Texts, model: &ReconstructedModel) -> Markup {
             tbody {
                 @for component in components {
                     tr {
-                        th { (said(texts, &component.group)) } td { (count(component.observations)) } td { (fixed(component.redundancy, 1)) }
+                        th { (name(texts, component, model)) } td { (count(component.observations)) } td { (fixed(component.redundancy, 1)) }
                         td { (fixed(Some(component.factor).filter(|_| !component.held), 2)) }
                         td { @if let Some([low, high]) = component.interval { (fixed(low, 2)) " – " (fixed(high, 2)) } @else { "–" } }
                         td { (texts.say(weighted_by(component))) }
@@ -35,6 +36,10 @@ pub(super) fn components(texts: &Texts, model: &ReconstructedModel) -> Markup {
             }
         }
     }
+}
+
+fn name(texts: &Texts, component: &VarianceComponent, model: &ReconstructedModel) -> String {
+    PlaceGroup::of(component.group, &model.surveyed).map_or_else(|| said(texts, &component.group), |group| said(texts, &group))
 }
 
 /// The name of what the weights follow.
