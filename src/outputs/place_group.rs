@@ -2,7 +2,7 @@
 
 use crate::message::messages;
 use crate::pipeline::is_place_of_orthophoto;
-use crate::{ControlKind, ObservationGroup, SurveyedPoint};
+use crate::{ControlKind, ControlRole, ObservationGroup, SurveyedPoint};
 use serde::Serialize;
 
 messages! {
@@ -24,7 +24,8 @@ messages! {
 impl PlaceGroup {
     /// Of a model with these points; absent for groups and models without places of an orthophoto.
     pub(crate) fn of(group: ObservationGroup, points: &[SurveyedPoint]) -> Option<Self> {
-        match (ControlKind::of(points, is_place_of_orthophoto), group) {
+        let control = points.iter().filter(|point| point.role == ControlRole::Control).map(|point| point.name.as_str());
+        match (ControlKind::of(control, is_place_of_orthophoto), group) {
             (ControlKind::Places, ObservationGroup::ControlPlan) => Some(Self::PlacesPlan),
             (ControlKind::Places, ObservationGroup::ControlHeight) => Some(Self::PlacesHeight),
             (ControlKind::Both, ObservationGroup::ControlPlan) => Some(Self::ControlAndPlacesPlan),
@@ -37,7 +38,6 @@ impl PlaceGroup {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ControlRole;
 
     #[test]
     fn places_of_an_orthophoto_are_not_named_control_points() {

@@ -1,7 +1,5 @@
 //! What the control points of a block are: surveyed ones, places of an orthophoto on which it lies, or both.
 
-use super::result::SurveyedPoint;
-use crate::ControlRole;
 use serde::{Deserialize, Serialize};
 
 /// What holds a block where it lies.
@@ -19,14 +17,13 @@ pub enum ControlKind {
 }
 
 impl ControlKind {
-    /// Of those of the points that take part as control points. `is_place`: whether a name is that of a place of an orthophoto.
-    pub(crate) fn of(points: &[SurveyedPoint], is_place: impl Fn(&str) -> bool) -> Self {
-        let control = || points.iter().filter(|point| point.role == ControlRole::Control);
-        let (places, all) = (control().filter(|point| is_place(&point.name)).count(), control().count());
-        match places {
-            0 => Self::Surveyed,
-            _ if places == all => Self::Places,
-            _ => Self::Both,
+    /// Of the control points with these names. `is_place`: whether one is that of a place of an orthophoto.
+    pub(crate) fn of<'a>(names: impl Iterator<Item = &'a str>, is_place: impl Fn(&str) -> bool) -> Self {
+        let (places, surveyed): (Vec<&str>, Vec<&str>) = names.partition(|name| is_place(name));
+        match (places.is_empty(), surveyed.is_empty()) {
+            (true, _) => Self::Surveyed,
+            (false, true) => Self::Places,
+            (false, false) => Self::Both,
         }
     }
 }

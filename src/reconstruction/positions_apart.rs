@@ -7,6 +7,7 @@ use super::material::Known;
 use super::mistake::Axis;
 use super::result::ReconstructedModel;
 use super::warning::BlockWarning;
+use crate::ControlRole;
 use crate::math::median;
 
 /// GNSS positions, at least, of which it is told that they have something in common.
@@ -25,7 +26,8 @@ pub(super) fn of_common_positions(model: &ReconstructedModel, known: &Known<'_>,
     let (block, accepted) = model.with_support();
     let offset = model.adjusted.common_offset(&block, &accepted).ok()?;
     let control = !tests.refused.is_empty() || tests.contradicting.is_some();
-    let held_by = ControlKind::of(&model.surveyed, |name| known.is_place(name));
+    let taking_part = model.surveyed.iter().filter(|point| point.role == ControlRole::Control);
+    let held_by = ControlKind::of(taking_part.map(|point| point.name.as_str()), |name| known.is_place(name));
     let of_axis = |axis: Axis| {
         let offset = offset[axis.index()]?;
         let focal = axis == Axis::Z && model.adjusted.block.cameras.iter().any(|camera| camera.free.focal);
