@@ -23,7 +23,7 @@ fn main() -> Result<(), Failure> {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let after = |name: &str| words.iter().position(|word| word == name).and_then(|at| words.get(at + 1));
     let first: u32 = after("--from").map_or(Ok(1), |word| word.parse())?;
-    let shared: f64 = after("--shared").map_or(Ok(BlockSettings::default().placing.shared_errors), |word| word.parse())?;
+    let given: Option<f64> = after("--shared").map(|word| word.parse()).transpose()?;
     let is_value = |k: usize| k > 0 && ["--from", "--shared"].contains(&words[k - 1].as_str());
     let plain: Vec<&String> = (0..words.len()).filter(|k| !words[*k].starts_with("--") && !is_value(*k)).map(|k| &words[k]).collect();
     let Some(folder) = plain.first() else { return Err("a folder for photos and rays is missing".into()) };
@@ -32,6 +32,7 @@ fn main() -> Result<(), Failure> {
     let is_each = words.iter().any(|word| word == "--each");
     let mut total = vec![Sums::default(); DATUMS.len()];
     for kind in kinds().iter().filter(|kind| kind.name.contains(wanted)) {
+        let shared = given.unwrap_or_else(|| kind.settings().shared_errors());
         let mut sums = vec![Sums::default(); DATUMS.len()];
         for seed in first..first + seeds {
             let flight = BlockFlight { seed, ..kind.flight.clone() };
@@ -63,6 +64,14 @@ struct Kind {
     name: &'static str,
     flight: BlockFlight,
     is_refined: bool,
+}
+
+impl Kind {
+    fn settings(&self) -> BlockSettings {
+        let mut settings = BlockSettings::default();
+        settings.refinement.method = if self.is_refined { RefinementMethod::LeastSquares } else { RefinementMethod::None };
+        settings
+    }
 }
 
 fn kinds() -> Vec<Kind> {
@@ -112,8 +121,7 @@ fn kept(folder: &Path, scene: &BlockScene, kind: &Kind) -> Result<Block, Failure
         workers.into_iter().map(|worker| worker.join().unwrap_or_else(|_| Err("a photo could not be rendered".into()))).collect()
     });
     rendered.into_iter().collect::<Result<Vec<()>, String>>()?;
-    let mut input = RunInput { use_gnss: false, ..RunInput::default() };
-    input.settings.refinement.method = if kind.is_refined { RefinementMethod::LeastSquares } else { RefinementMethod::None };
+    let input = RunInput { use_gnss: false, settings: kind.settings(), ..RunInput::default() };
     let work = folder.join("work");
     let run = run_block(&images, &[], input, &work, threads, |_| ())?;
     fs::remove_dir_all(&work)?;

@@ -91,7 +91,7 @@ fn histogram(points: &TiePoints) -> Vec<u32> {
 pub(super) fn reconstruction_options(settings: &BlockSettings) -> ReconstructionOptions {
     let options = ReconstructionOptions::default();
     let adjustment = AdjustmentOptions {
-        shared_errors: settings.placing.shared_errors,
+        shared_errors: settings.shared_errors(),
         variance_components: settings.placing.variance_components,
         gnss_errors: settings.placing.gnss_errors,
         gnss_lever_arm: settings.placing.gnss_lever_arm,

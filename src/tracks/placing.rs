@@ -50,7 +50,7 @@ options! {
 
         /// The standard deviation of errors that the observations of an image share, as matches do, in standard errors of an observation: higher
         /// makes the printed standard errors larger. 0: observations are independent.
-        shared_errors: f64 = 0.25, "Shared errors", 0..=10;
+        shared_errors: Option<f64> = None, "Shared errors", 0..=10, absent "0.25, of refined observations 0.3";
     }
 }
 

@@ -1,8 +1,8 @@
 //! What the user chooses of a whole block: its features, its pairs, its matches, its points.
 
 use super::{
-    BlockOptions, ChosenPair, GeoreferencingOptions, PairRule, RefinementOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs,
-    near_pairs, sequence_pairs,
+    BlockOptions, ChosenPair, GeoreferencingOptions, PairRule, RefinementMethod, RefinementOptions, SelectOptions, alike_pairs, all_pairs,
+    merge_pairs, near_pairs, sequence_pairs,
 };
 use crate::catalogue::options;
 use crate::{Error, FeatureOptions, GradientOptions, Group, MultiscaleOptions, NearestOptions, Parameter, PartlyGiven, TwoViewOptions};
@@ -76,6 +76,11 @@ pub fn choose_pairs(positions: &[Option<[f64; 3]>], similar: &[Vec<(u32, f32)>],
     }
 }
 
+/// What observations of an image share, in their standard errors: fitted on rendered blocks. Refinement leaves more of it, by the tenth of the standard error that it
+/// leaves: walls and slopes stay in the windows.
+const SHARED_BY_FEATURES: f64 = 0.25;
+const SHARED_BY_REFINED: f64 = 0.3;
+
 /// Options of a block from its images to its tie points.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -124,6 +129,13 @@ impl PartlyGiven for BlockSettings {
 }
 
 impl BlockSettings {
+    /// The standard deviation of errors that the observations of an image share, in standard errors of an observation.
+    #[must_use]
+    pub fn shared_errors(&self) -> f64 {
+        let usual = if self.refinement.method == RefinementMethod::None { SHARED_BY_FEATURES } else { SHARED_BY_REFINED };
+        self.placing.shared_errors.unwrap_or(usual)
+    }
+
     /// All parameters, in the order of the pipeline.
     pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
         Self::GROUPS.iter().flat_map(|group| group.parameters)
@@ -160,6 +172,16 @@ mod tests {
         known[7] = None;
         assert_eq!(choice.rule_of(&known), PairRule::Alike);
         assert_eq!(PairChoice { rule: Some(PairRule::Near), ..choice }.rule_of(&known), PairRule::Near);
+    }
+
+    #[test]
+    fn what_observations_share_follows_from_their_refinement_unless_it_is_given() {
+        let mut settings = BlockSettings::default();
+        assert_eq!(settings.shared_errors(), SHARED_BY_REFINED);
+        settings.refinement.method = RefinementMethod::None;
+        assert_eq!(settings.shared_errors(), SHARED_BY_FEATURES);
+        settings.placing.shared_errors = Some(0.0);
+        assert_eq!(settings.shared_errors(), 0.0);
     }
 
     #[test]

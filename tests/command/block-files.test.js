@@ -202,7 +202,7 @@ test('the exactness of recorded positions is an option', () => {
     mark_sigma_px: 1,
     gnss_errors: 'none',
     gnss_lever_arm: false,
-    shared_errors: 0.25,
+    shared_errors: null,
     variance_components: false,
   });
   assert.match(tiepoint(...BLOCK.call, '--out', folder(), '--receiver-up-m', '0').stderr, /--receiver-up-m is 0; allowed: 0\.001 to 1000/);
