@@ -428,9 +428,14 @@ fn edits_of_places_hold_once_the_block_is_placed_anew() {
     println!("{} places before, {} now, {} again", places.places.len(), there.places.len(), again.len());
     assert!(again.len() > there.places.len() / 2 && again.len() < places.places.len(), "{}", again.len());
     assert!(again.iter().any(|one| one.before != one.now), "names are others");
-    // Placed by the same links all of them lie where they lay.
+    // Placed by the same links they lie where they lay, but for what other check points make of the limits.
     let all = same.places().unwrap().again(&places);
-    assert!(all.len() >= places.places.len() - 5 && all.iter().all(|one| one.is_same_spot), "{} of {}", all.len(), places.places.len());
+    assert!(
+        20 * all.len() >= 19 * places.places.len() && all.iter().all(|one| one.is_same_spot),
+        "{} of {}",
+        all.len(),
+        places.places.len()
+    );
 
     let lie = |run: &BlockRun, number: usize| {
         let rows = parse_ground_control_points(&run.input.control.as_ref().unwrap().points).unwrap();
