@@ -877,7 +877,7 @@ function inRows({ placement, size: _, ...image }) {
 		}
 	};
 }
-function linkOf({ at, places, residuals, uses, byHand }, link) {
+function linkOf({ at, places, residuals, sigmas, uses, byHand }, link) {
 	const pair = (of) => [of[2 * link] ?? NaN, of[2 * link + 1] ?? NaN];
 	return {
 		at: pair(at),
@@ -887,6 +887,7 @@ function linkOf({ at, places, residuals, uses, byHand }, link) {
 			places[3 * link + 2] ?? NaN
 		],
 		residual_px: Number.isNaN(residuals[2 * link]) ? null : pair(residuals),
+		sigma_px: sigmaOf(sigmas?.[link]),
 		role: USES$1[uses[link] ?? 0] ?? "used",
 		by_hand: byHand[link] === 1
 	};
@@ -895,6 +896,7 @@ function usedSo({ uses }, use) {
 	const code = USES$1.indexOf(use);
 	return uses.reduce((sum, own) => sum + (own === code ? 1 : 0), 0);
 }
+var sigmaOf = (sigma) => sigma === void 0 || Number.isNaN(sigma) ? null : sigma;
 // www/block/state/steps.ts
 function givenLinks(found, steps) {
 	const links = found?.placement?.links ?? null;
@@ -935,6 +937,7 @@ var addedLinks = remember((steps, done) => {
 			NaN
 		])),
 		residuals: new Float64Array(2 * added.length).fill(NaN),
+		sigmas: new Float64Array(added.length).fill(NaN),
 		uses: new Uint8Array(added.length),
 		byHand: new Uint8Array(added.length).fill(1)
 	};
@@ -14797,6 +14800,26 @@ async function saveValues(plot, saved) {
 	], data.x.values.keys(), await intoEnglish())], { type: "text/csv" }), name);
 	saved(name);
 }
+// www/block/panel/components.ts
+function componentTable(components) {
+	const names = [
+		say("observations"),
+		say("by-residuals-stated"),
+		say("interval-of-95"),
+		say("weights-by")
+	];
+	const head = h("thead", {}, h("tr", {}, ...names.map((text) => h("th", { scope: "col" }, text))));
+	const number = (text) => h("td", { class: "number" }, text);
+	const rows = components.map((one) => row(message("observation_group", { kind: one.group }), number(one.held ? "–" : fixed(one.factor, 2)), number(one.interval == null ? "–" : one.interval.map((limit) => fixed(limit, 2)).join(" – ")), weightsOf(one)));
+	return [h("div", { class: "scroll" }, h("table", {
+		class: "tight",
+		testid: "components"
+	}, head, h("tbody", {}, ...rows))), h("p", { class: "note" }, say("components-explained"))];
+}
+function weightsOf({ applied, held }) {
+	if (applied) return say("weights-by-residuals");
+	return held ? say("weights-by-stated-held") : say("weights-by-stated");
+}
 // www/block/panel/placing-answer.ts
 function placingRuns({ done, total, text }) {
 	return {
@@ -14856,11 +14879,13 @@ function heightsText({ placing: { heights, orthophoto } }) {
 	const share = orthophoto?.info.heights_share ?? 1;
 	const part = share < MOSTLY ? say("they-lie-under-of-the", { share: Math.round(100 * share) }) : "";
 	const from_what = orthophoto?.info.heights_from ?? null;
+	const given_in = orthophoto?.info.heights_given_in ?? null;
 	return say("heights-of-to", {
 		name: heights.model.name,
 		from,
 		to,
 		unit,
+		given_in,
 		from_what,
 		part
 	});
@@ -14998,7 +15023,8 @@ function sectionsOf(shown, off, written) {
 		listOf(say("warnings"), "block-warnings", view.warnings.map(written)),
 		notOriented(view),
 		section(say("tie-points-by-number-of"), "block-by-rays", rayTable(view)),
-		section(say("cameras"), "block-cameras", cameraTable(view))
+		section(say("cameras"), "block-cameras", cameraTable(view)),
+		view.components.length === 0 ? null : section(say("stated-standard-errors"), "block-components", ...componentTable(view.components))
 	];
 }
 function onGround(shown, off, written) {

@@ -1527,6 +1527,7 @@
 			at: Float64Array.from(links.flatMap(({ at }) => at)),
 			places: Float64Array.from(links.flatMap(({ place }) => place)),
 			residuals: Float64Array.from(links.flatMap(({ residual_px: residual }) => residual ?? [NaN, NaN])),
+			sigmas: Float64Array.from(links, ({ sigma_px: sigma }) => sigma ?? NaN),
 			uses: Uint8Array.from(links, ({ role }) => USES.indexOf(role)),
 			byHand: Uint8Array.from(links, ({ by_hand: byHand }) => byHand ? 1 : 0)
 		};
@@ -2417,7 +2418,7 @@
 	// www/block/engine/outcome.ts
 	function viewOf(block) {
 		const onOrthophoto = block.on_orthophoto();
-		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict, checks, surveyed, given_control: givenControl, origin, crs, geoid_m, geoid, points } = block.overview();
+		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict, components, checks, surveyed, given_control: givenControl, origin, crs, geoid_m, geoid, points } = block.overview();
 		const connections = pairs.map(connectionOf);
 		const ids = block.point_ids();
 		const added = new Set(block.edits().flatMap((edit) => edit.kind === "add_control" ? [edit.name] : []));
@@ -2492,6 +2493,7 @@
 			geoid,
 			rmsePx: rmse_px,
 			sigma0Px: sigma0_px,
+			components,
 			checks,
 			surveyed: surveyed.map((known, i) => ({
 				...known,
@@ -2575,6 +2577,7 @@
 			geoidM: null,
 			rmsePx: null,
 			sigma0Px: null,
+			components: [],
 			checks: null,
 			surveyed: [],
 			givenControl: 0,

@@ -89,6 +89,8 @@ export interface OrthophotoInfo {
     heights: [number, number];
     /** What they count from, by the name of a vertical system, where their file says it. */
     heights_from: string | null;
+    /** The unit in which their file says that they are, where they were converted from it. */
+    heights_given_in: string | null;
     /** Share of the picture that has a height, 0 to 1. */
     heights_share: number;
     /** Whether its pixels are read where they are needed. */
@@ -288,6 +290,7 @@ export interface Messages {
     error: { kind: string };
     allowed: { kind: string };
     overview_warning: OverviewWarning;
+    observation_group: { kind: ObservationGroup };
     placing_verdict: PlacingVerdict;
     place_search: PlaceSearch;
     image_reason: ImageReason;
@@ -1141,6 +1144,10 @@ export interface Link {
      * Observed minus computed column and row in px; absent where the image does not see the place.
      */
     residual_px: [number, number] | null;
+    /**
+     * Standard error of each of its coordinates in the image, in px, in which that of its place has its part; absent without redundancy.
+     */
+    sigma_px?: number | null;
     role: LinkUse;
     /**
      * Whether it was measured by eye.
@@ -1974,12 +1981,12 @@ export type PointPosition = "quadratic" | "forstner";
 /**
  * How an image with a GNSS position was sought on an orthophoto whose system is known.
  */
-export type PlaceSearch = { kind: "gnss"; within_m: number; plan_m?: number } | { kind: "apart_from_gnss"; plan_m: number; usual_m: number } | { kind: "beyond_gnss"; within_m: number };
+export type PlaceSearch = { kind: "gnss"; within_m: number; plan_m?: number } | { kind: "apart_from_gnss"; plan_m: number; usual_m: number } | { kind: "far_from_gnss"; distance_km: number; place_slip: PlaceSlip } | { kind: "height_apart_from_gnss"; height_m: number; usual_m: number } | { kind: "beyond_gnss"; within_m: number };
 
 /**
  * How an orthophoto may have come to lie elsewhere than the images that are to be placed on it.
  */
-export type PlaceSlip = { kind: "zone"; zone: number } | { kind: "exchanged" } | { kind: "other_half" } | { kind: "unit"; given_in: string } | { kind: "coordinate"; likely: string } | { kind: "unknown" };
+export type PlaceSlip = { kind: "zone"; zone: number } | { kind: "exchanged" } | { kind: "other_half" } | { kind: "unit"; given_in: string } | { kind: "coordinate"; likely: string } | { kind: "exchanged_positions" } | { kind: "latitude_sign" } | { kind: "longitude_sign" } | { kind: "both_signs" } | { kind: "unknown" };
 
 /**
  * How far a stage is.
@@ -3387,7 +3394,7 @@ export interface GeoreferencingOptions {
      * The standard deviation of errors that the observations of an image share, as matches do, in standard errors of an observation: higher
      * makes the printed standard errors larger. 0: observations are independent.
      */
-    shared_errors: number;
+    shared_errors: number | null;
 }
 
 /**
@@ -4421,6 +4428,11 @@ export interface EditNames {
 }
 
 /**
+ * What holds a block where it lies.
+ */
+export type ControlKind = "surveyed" | "places" | "both";
+
+/**
  * What is computed.
  */
 export type Computation = "affine_transformation" | "bundle_adjustment" | "by_and_bz" | "datum" | "determinant_form" | "distortion_correction" | "free_network" | "fundamental_matrix" | "homography" | "omega_and_kappa" | "relative_orientation" | "two_view_geometry";
@@ -4702,6 +4714,10 @@ export interface BlockOverview {
     rmse_px: number | null;
     sigma0_px: number | null;
     /**
+     * How large errors are beside the stated standard errors, by the residuals; empty where none are stated.
+     */
+    components: VarianceComponent[];
+    /**
      * In the system of the results; absent without check points.
      */
     checks: CheckSummary | null;
@@ -4747,7 +4763,7 @@ export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | {
 /**
  * What is weak about a model.
  */
-export type BlockWarning = { kind: "free"; cause: Cause | null; without_heights?: number } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "looking_up"; observed: Observed; tilt_deg: number } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "positions_apart"; axis: Axis; difference_m: number; times: number; images_m?: number | null; focal?: boolean; control?: boolean } | { kind: "positions_elsewhere"; images: number; distance_km: number; place_slip: PlaceSlip | null; in_crs?: boolean } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; certain?: boolean; mistake: Mistake | null } | { kind: "control_untested"; point: string; measurements: number } | { kind: "control_unplaced"; point: string; measurements: number } | { kind: "control_contradicts"; refused: number; points: number; w?: number | null } | { kind: "control_tests_stopped"; left_out: number; points: number } | { kind: "control_unadjusted"; names: string[] } | { kind: "control_lost"; lost: number; points: number; from_bottom: boolean; control_apart?: ControlApart | null } | { kind: "control_without_place"; given: number; measured: number; taken: number } | { kind: "control_shape"; names: string[]; ratio: number; longest: string; shortest: string; point: string | null } | { kind: "few_control"; points: number; positions?: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number; check?: boolean } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[]; check?: boolean } | { kind: "check_refused"; point: string; axis: Axis; difference_m: number; error_m: number; mistake: Mistake | null } | { kind: "checks_apart"; axis: Axis; points: number; difference_m: number; error_m: number } | { kind: "stated_errors"; observed: Observed; columns: string[]; stated: number; residual_m: number | null; unit: LengthUnit } | { kind: "control_elsewhere"; points: number; images: string[]; check: boolean } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "focal_of_ground"; camera: NamedCamera; images_px: number; images_error_px: number; images_unit_px?: number; ground_px: number; ground_error_px: number } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
+export type BlockWarning = { kind: "free"; cause: Cause | null; without_heights?: number } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "looking_up"; observed: Observed; tilt_deg: number } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "positions_apart"; axis: Axis; difference_m: number; times: number; images_m?: number | null; focal?: boolean; control?: boolean; held_by?: ControlKind } | { kind: "positions_elsewhere"; images: number; distance_km: number; place_slip: PlaceSlip | null; in_crs?: boolean } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "weights_not_converged"; rounds: number } | { kind: "position_errors_undetermined"; errors: number } | { kind: "position_errors_relative"; motions: number } | { kind: "control_refused"; point: string; axis: Axis; difference_m: number; error_m: number; detectable_m: number | null; used: boolean; certain?: boolean; mistake: Mistake | null } | { kind: "control_untested"; point: string; measurements: number } | { kind: "control_unplaced"; point: string; measurements: number } | { kind: "control_contradicts"; refused: number; points: number; w?: number | null } | { kind: "control_tests_stopped"; left_out: number; points: number } | { kind: "control_unadjusted"; names: string[] } | { kind: "control_lost"; lost: number; points: number; from_bottom: boolean; control_apart?: ControlApart | null } | { kind: "control_without_place"; given: number; measured: number; taken: number } | { kind: "control_shape"; names: string[]; ratio: number; longest: string; shortest: string; point: string | null } | { kind: "few_control"; points: number; positions?: number; detectable_m: number | null } | { kind: "control_span"; points: number; span_percent: number } | { kind: "control_on_line"; points: number; width_percent: number; error_deg: number | null } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number; check?: boolean } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[]; check?: boolean } | { kind: "check_refused"; point: string; axis: Axis; difference_m: number; error_m: number; mistake: Mistake | null } | { kind: "checks_apart"; axis: Axis; points: number; difference_m: number; error_m: number } | { kind: "stated_errors"; observed: Observed; columns: string[]; stated: number; residual_m: number | null; unit: LengthUnit } | { kind: "control_elsewhere"; points: number; images: string[]; check: boolean } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "focal_of_ground"; camera: NamedCamera; images_px: number; images_error_px: number; images_unit_px?: number; ground_px: number; ground_error_px: number } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
 
 /**
  * What makes an orientation weak although it could be computed.
@@ -4793,7 +4809,7 @@ export type CameraCaution = { kind: "resized"; taken_width_px: number; taken_hei
 /**
  * What speaks against the orientation of an image on an orthophoto.
  */
-export type PlacingWeakness = { kind: "few_links"; links: number; needed: number } | { kind: "coverage"; share: number; needed: number } | { kind: "checks"; beyond: number; checks: number } | { kind: "rejected"; rejected: number; links: number } | { kind: "height"; height_m: number; half_width_m: number } | { kind: "plan"; height_m: number; half_width_m: number } | { kind: "camera"; camera_parameter: CameraParameter; estimated_px: number; prior_px: number; apart: number } | { kind: "height_factor"; factor: number; standard_error: number } | { kind: "relief"; displaced: number } | { kind: "gnss"; plan_m: number; usual_m: number } | { kind: "noise"; rmse_px: number; usual_px: number };
+export type PlacingWeakness = { kind: "few_links"; links: number; needed: number } | { kind: "coverage"; share: number; needed: number } | { kind: "checks"; beyond: number; checks: number } | { kind: "rejected"; rejected: number; links: number } | { kind: "height"; height_m: number; half_width_m: number } | { kind: "plan"; height_m: number; half_width_m: number } | { kind: "camera"; camera_parameter: CameraParameter; estimated_px: number; prior_px: number; apart: number } | { kind: "height_factor"; factor: number; standard_error: number } | { kind: "relief"; displaced: number } | { kind: "gnss"; plan_m: number; usual_m: number } | { kind: "far_from_gnss"; distance_km: number; place_slip: PlaceSlip } | { kind: "gnss_height"; height_m: number; usual_m: number } | { kind: "noise"; rmse_px: number; usual_px: number };
 
 /**
  * What the adjustment says of an observed position; 0 for a coordinate that was not observed.

@@ -11,8 +11,8 @@ export interface Links {
   places: Float64Array;
   /** In px of the image; stride 2. */
   residuals: Float64Array;
-  /** Of each coordinate in the image, in px. */
-  sigmas: Float64Array;
+  /** Of each coordinate in the image, in px; absent in what earlier releases kept. */
+  sigmas?: Float64Array;
   /** Places in `USES`. */
   uses: Uint8Array;
   /** 1 for those that were measured by hand. */
@@ -58,7 +58,7 @@ export function linkOf({ at, places, residuals, sigmas, uses, byHand }: Links, l
     at: pair(at),
     place: [places[3 * link] ?? NaN, places[3 * link + 1] ?? NaN, places[3 * link + 2] ?? NaN],
     residual_px: Number.isNaN(residuals[2 * link]) ? null : pair(residuals),
-    sigma_px: Number.isNaN(sigmas[link]) ? null : (sigmas[link] ?? null),
+    sigma_px: sigmaOf(sigmas?.[link]),
     role: USES[uses[link] ?? 0] ?? 'used',
     by_hand: byHand[link] === 1,
   };
@@ -69,3 +69,5 @@ export function usedSo({ uses }: Links, use: LinkUse): number {
   const code = USES.indexOf(use);
   return uses.reduce((sum, own) => sum + (own === code ? 1 : 0), 0);
 }
+
+const sigmaOf = (sigma: number | undefined): number | null => (sigma === undefined || Number.isNaN(sigma) ? null : sigma);

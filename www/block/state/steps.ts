@@ -59,6 +59,7 @@ const addedLinks = remember((steps: readonly LinkStep[], done: number): Links | 
     at: Float64Array.from(added.flatMap(({ at }) => at)),
     places: Float64Array.from(added.flatMap(({ place: [x, y] }) => [x, y, NaN])),
     residuals: new Float64Array(2 * added.length).fill(NaN),
+    sigmas: new Float64Array(added.length).fill(NaN),
     uses: new Uint8Array(added.length),
     byHand: new Uint8Array(added.length).fill(1),
   };
