@@ -406,7 +406,8 @@ test('what an edit did is compared within one run: not with the orientation of o
     const result = { key: page.keys.wantedKeys(state).orientation, value, milliseconds: 0 };
     return page.reducer.reduce(state, { type: 'stageDone', stage: 'orientation', result });
   };
-  const [whole, without, other] = [{ name: 'all' }, { name: 'without one' }, { name: 'by other settings' }];
+  const named = (/** @type {string} */ name) => ({ name, residuals_mm: new Float64Array(), rejected: new Uint32Array() });
+  const [whole, without, other] = [named('all'), named('without one'), named('by other settings')];
   const state = orient(opens, whole);
   const of = page.edited.targetOfLeft(page.edited.editedPair(state), state.results.match.value.rules.indexOf(MATCHED));
   const edited = page.reducer.reduce(state, { type: 'edit', edit: { kind: 'reject', of: [of] } });

@@ -49,7 +49,7 @@ const SAME = new Float64Array(Array.from({ length: 400 }, (_, k) => [(k * 379) %
 const ROTATION = { model: { kind: 'homography' }, degenerate: 'pure-rotation', focal: null };
 
 test('of a panorama it is said that it is one, whatever its matches are; of one photo twice that, and not that the camera turned', () => {
-  const match = { matches: SAME, geometry: ROTATION, no_geometry: null };
+  const match = { matches: SAME, counts: { matches: 40 }, geometry: ROTATION, no_geometry: null };
   const reason = (/** @type {[unknown, unknown]} */ cameras) => page.orientation.whyNotOriented(pair(cameras, match));
   assert.match(reason([PANORAMA, CAMERA]), /panorama/u);
   assert.match(reason([CAMERA, CAMERA]), /one photo twice/u);
