@@ -298,7 +298,7 @@ mod tests {
             match (by(level, height_error_m, &all).verdict, off_m) {
                 (PlacingVerdict::Placed { .. }, None) => {}
                 (PlacingVerdict::Weak { placing_weakness: PlacingWeakness::GnssHeight { height_m, usual_m }, .. }, Some(off_m)) => {
-                    assert!((height_m - off_m).abs() < 0.5 && (0.1..4.5).contains(&usual_m), "{height_m} m, {usual_m} m");
+                    assert!((height_m - off_m).abs() < 0.5 && (0.5..4.0).contains(&usual_m), "{height_m} m, {usual_m} m");
                 }
                 (other, _) => panic!("{level} m: {other}"),
             }

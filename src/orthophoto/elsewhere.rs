@@ -46,7 +46,7 @@ impl Orthophoto {
 
     /// The distance of a position from the picture in plan; on it 0. Absent where nothing says it.
     fn away_m(&self, position: &ExifPosition) -> Option<f64> {
-        let Some(recorded) = recorded_place(position, self) else { return self.from_on_earth_m(self.middle(), position) };
+        let Some(recorded) = recorded_place(position, self) else { return self.distance_on_earth_m(self.middle(), position) };
         let at = self.georeference.pixel(recorded.place);
         let size = self.size().map(|side| side as f64);
         let off = [0, 1].map(|k| at[k] - at[k].clamp(0.0, size[k]));
@@ -54,7 +54,7 @@ impl Orthophoto {
     }
 
     /// The distance of a position outside of its system from a place of it, along the chord.
-    pub(super) fn from_on_earth_m(&self, place: [f64; 2], position: &ExifPosition) -> Option<f64> {
+    pub(super) fn distance_on_earth_m(&self, place: [f64; 2], position: &ExifPosition) -> Option<f64> {
         let [x, y] = self.in_system(place)?;
         let system = CoordinateSystem::about(self.said().definition()?, None, [x, y]).ok()?;
         let [longitude, latitude, _] = system.geographic([x, y, 0.0])?;

@@ -13,8 +13,8 @@ pub(super) const OF_IMAGE: usize = 6;
 
 /// Standard deviations of errors that all links share, as shares of the root mean square of a residual: of a shift along both axes; at the
 /// edge of the image, of what grows with x and with y along both axes; of what grows outwards, with the third power, and with the height of
-/// the ground. What stands behind walls and trees is seen beside them, on the outer side of all: where the
-/// heights have neither, windows there are drawn outwards.
+/// the ground. What stands behind walls and trees is seen beside them, on the outer side of all: where the heights have neither, windows there are
+/// drawn outwards.
 const SHARED: [f64; 8] = [0.1, 0.1, 0.3, 0.3, 0.3, 0.3, 0.3, 0.3];
 
 /// The shift of a position by a unit of each of these errors.

@@ -121,7 +121,7 @@ impl<'a> Recorded<'a> {
         let [x, y, _] = placement.pose.position;
         let (plan_m, unit_m) = match &self.on_map {
             Some(RecordedPlace { place, unit_m }) => (unit_m * libm::hypot(x - place[0], y - place[1]), *unit_m),
-            None => (self.reference.from_on_earth_m([x, y], self.position)?, self.reference.unit_m()?),
+            None => (self.reference.distance_on_earth_m([x, y], self.position)?, self.reference.unit_m()?),
         };
         let own_m = placement.position_errors_m.map_or(0.0, |[x, y, _]| unit_m * libm::hypot(x, y));
         let usual_m = libm::hypot(USUAL_M.max(STATED * self.position.error_m.unwrap_or(0.0)), STATED * own_m);

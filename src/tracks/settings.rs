@@ -76,8 +76,8 @@ pub fn choose_pairs(positions: &[Option<[f64; 3]>], similar: &[Vec<(u32, f32)>],
     }
 }
 
-/// What observations of an image share, in their standard errors: fitted on rendered blocks. Refinement leaves more of it, by the tenth of the standard error that it
-/// leaves: walls and slopes stay in the windows.
+/// What observations of an image share, in their standard errors: fitted on rendered blocks. Refined ones have half of the standard error there, and share a larger
+/// part of it: walls and slopes stay in the windows.
 const SHARED_BY_FEATURES: f64 = 0.25;
 const SHARED_BY_REFINED: f64 = 0.3;
 
