@@ -175,9 +175,9 @@ the-pair-cannot-be-shown = The pair cannot be shown: { $error }.
 ## panel/components
 
 stated-standard-errors = Stated standard errors
-by-residuals-stated = by residuals / stated
+by-residuals-stated = By residuals / stated
 interval-of-95 = 95 % interval
-weights-by = weights by
+weights-by = Weights by
 weights-by-residuals = residuals
 weights-by-stated = stated standard errors
 weights-by-stated-held = stated standard errors (held)
