@@ -2613,6 +2613,11 @@ export interface PlacingOptions {
      */
     height_sigma_m: number | null;
     /**
+     * The height of the zero of the heights of the ground above the ellipsoid of WGS 84, where their file does not say that they count from the ellipsoid: that of the geoid for heights above sea level, 0 for ellipsoidal ones.
+     * The height of a precise GNSS position, which is above the ellipsoid, is then compared with that of the image.
+     */
+    heights_geoid_m: number | null;
+    /**
      * The share of the links that takes no part and checks the orientation instead.
      */
     check_share: number;

@@ -1144,7 +1144,7 @@ placing-weakness-gnss-height =
     تقع { SIGN($height_m) ->
         [minus] أدنى
        *[plus] أعلى
-    } من موقعها في GNSS بمقدار { AMOUNT($height_m, digits: 1) } م، والمعتاد { FIXED($usual_m, digits: 1) } م على الأكثر: تحقق من الارتفاعات، فهي منزاحة كلها أو محسوبة من صفر غير صفر الموقع (المجسم الإهليلجي أو مستوى سطح البحر)، ومن الموقع.
+    } من موقعها في GNSS بمقدار { AMOUNT($height_m, digits: 1) } م، والمعتاد { FIXED($usual_m, digits: 1) } م على الأكثر: تحقق من الارتفاعات، فهي منزاحة كلها أو محسوبة من صفر غير صفر الموقع، كمستوى سطح البحر بدل المجسم الإهليلجي (--heights-geoid-m)، ومن الموقع.
 placing-weakness-noise = الجذر التربيعي لمتوسط مربعات المتبقيات { FIXED($rmse_px, digits: 2) } بكسل، وتبلغ الصور الجيدة { FIXED($usual_px, digits: 2) } بكسل: تحقق من الارتفاعات ومن عمر الصورة المصححة.
 
 # How an image with a GNSS position was sought on an orthophoto.
@@ -1155,7 +1155,7 @@ place-search-height-apart-from-gnss =
     تقع { SIGN($height_m) ->
         [minus] أدنى
        *[plus] أعلى
-    } من موقعها في GNSS بمقدار { AMOUNT($height_m, digits: 1) } م، وهو صحيح ضمن { FIXED($usual_m, digits: 1) } م: تحقق من الارتفاعات، فهي منزاحة كلها أو محسوبة من صفر غير صفر الموقع (المجسم الإهليلجي أو مستوى سطح البحر)، ومن الموقع.
+    } من موقعها في GNSS بمقدار { AMOUNT($height_m, digits: 1) } م، وهو صحيح ضمن { FIXED($usual_m, digits: 1) } م: تحقق من الارتفاعات، فهي منزاحة كلها أو محسوبة من صفر غير صفر الموقع، كمستوى سطح البحر بدل المجسم الإهليلجي (--heights-geoid-m)، ومن الموقع.
 place-search-beyond-gnss = لم يُعثر عليها ضمن { FIXED($within_m, digits: 0) } م من موقعها في GNSS؛ وبُحث في الصورة المصححة كلها.
 
 # What the place of an image is worth.

@@ -1670,7 +1670,7 @@ placing-weakness-gnss-height =
     It lies { AMOUNT($height_m, digits: 1) } m { SIGN($height_m) ->
         [minus] below
        *[plus] above
-    } its GNSS position, where { FIXED($usual_m, digits: 1) } m are usual at most: check the heights, which are off as a whole or count from another zero than the position (ellipsoid, sea level), and the position.
+    } its GNSS position, where { FIXED($usual_m, digits: 1) } m are usual at most: check the heights, which are off as a whole or count from another zero than the position, as sea level in place of the ellipsoid (--heights-geoid-m), and the position.
 placing-weakness-noise = Residuals are { FIXED($rmse_px, digits: 2) } px in the root mean square, where good pictures reach { FIXED($usual_px, digits: 2) } px: check the heights and the age of the orthophoto.
 
 # How an image with a GNSS position was sought on an orthophoto.
@@ -1681,7 +1681,7 @@ place-search-height-apart-from-gnss =
     It lies { AMOUNT($height_m, digits: 1) } m { SIGN($height_m) ->
         [minus] below
        *[plus] above
-    } its GNSS position, which is right to { FIXED($usual_m, digits: 1) } m: check the heights, which are off as a whole or count from another zero than the position (ellipsoid, sea level), and the position.
+    } its GNSS position, which is right to { FIXED($usual_m, digits: 1) } m: check the heights, which are off as a whole or count from another zero than the position, as sea level in place of the ellipsoid (--heights-geoid-m), and the position.
 place-search-beyond-gnss = Not found within { FIXED($within_m, digits: 0) } m of its GNSS position; all of the orthophoto was searched.
 
 # What the place of an image is worth.

@@ -284,16 +284,18 @@ mod tests {
 
     #[test]
     fn heights_that_are_off_as_a_whole_are_doubted_beside_a_precise_gnss_position() {
-        let by = |level: f64, height_error_m: Option<f64>, links: &[GivenLink]| {
+        let placed_by = |level: f64, height_error_m: Option<f64>, links: &[GivenLink], heights_geoid_m: Option<f64>| {
             let mut reference = reference();
             (reference.heights, reference.epsg) = (Heights::Level(level), Some(32632));
             let height_m = Some(pose().position[2]);
             let position = ExifPosition { longitude_deg: 9.000_163, latitude_deg: 48.752_95, height_m, error_m: None };
             let position = RecordedPosition { height_error_m, ..position.into() };
-            let options = PlacingOptions { height_sigma_m: Some(0.5), ..PlacingOptions::default() };
+            let options = PlacingOptions { height_sigma_m: Some(0.5), heights_geoid_m, ..PlacingOptions::default() };
             place_by_links(&known(), Some(&position), &reference, None, links, &options).unwrap()
         };
+        let by = |level: f64, height_error_m: Option<f64>, links: &[GivenLink]| placed_by(level, height_error_m, links, None);
         let all = links(60);
+        let above_geoid = |level: f64, geoid_m: Option<f64>| placed_by(level, Some(0.03), &all, geoid_m);
         for (level, height_error_m, off_m) in [(55.0, Some(0.03), Some(5.0)), (45.0, Some(0.03), Some(-5.0)), (50.0, Some(0.03), None)] {
             match (by(level, height_error_m, &all).verdict, off_m) {
                 (PlacingVerdict::Placed { .. }, None) => {}
@@ -308,6 +310,15 @@ mod tests {
             let placed = by(level, height_error_m, &all);
             assert!(matches!(placed.verdict, PlacingVerdict::Placed { .. }), "{level} m: {}", placed.verdict);
         }
+        // Heights above sea level lie below those of the position by the geoid, where it is given.
+        for (level, is_right) in [(50.0 - 47.0, true), (50.0, false)] {
+            let placed = above_geoid(level, Some(47.0));
+            assert_eq!(matches!(placed.verdict, PlacingVerdict::Placed { .. }), is_right, "{level} m: {}", placed.verdict);
+        }
+        let PlacingVerdict::Weak { placing_weakness, .. } = above_geoid(50.0 - 47.0, None).verdict else {
+            panic!("the geoid is not known")
+        };
+        assert!(placing_weakness.to_string().contains("--heights-geoid-m"), "{placing_weakness}");
         // Another doubt stays, with the height beside it.
         let few = by(55.0, Some(0.03), &all[..12]);
         assert!(matches!(few.verdict, PlacingVerdict::Weak { placing_weakness: PlacingWeakness::FewLinks { .. }, .. }), "{}", few.verdict);

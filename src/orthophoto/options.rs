@@ -25,6 +25,10 @@ options! {
         /// The standard error of a height of the ground: a larger one weakens links far from the nadir.
         height_sigma_m: Option<f64> = None, "Standard error of a height", in "m", 0.001..=1000, absent "one pixel of the orthophoto with a height model, ten without";
 
+        /// The height of the zero of the heights of the ground above the ellipsoid of WGS 84, where their file does not say that they count from the ellipsoid: that of the geoid for heights above sea level, 0 for ellipsoidal ones.
+        /// The height of a precise GNSS position, which is above the ellipsoid, is then compared with that of the image.
+        heights_geoid_m: Option<f64> = None, "Geoid of the heights", in "m", -200..=200, absent "not known: precise GNSS positions are taken to count from the zero of the heights, unless the file of the heights says another one";
+
         /// The share of the links that takes no part and checks the orientation instead.
         check_share: f64 = 0.2, "Share of check links", 0..=0.5;
 

@@ -27,14 +27,22 @@ pub(super) struct HeightApart {
 
 impl RecordedHeight {
     /// Absent where the position states no standard error; where no heights of the ground are given, so that they count from the ground; and where
-    /// their file says that they count from elsewhere than the position. Where it says nothing they are compared.
+    /// their file says that they count from elsewhere than the position, and nothing says by how much. Where nobody says anything they are compared.
     pub fn of(position: &RecordedPosition, reference: &Orthophoto, options: &PlacingOptions, unit_m: f64) -> Option<Self> {
-        let (height_m, own_m) = (position.position.height_m?, position.height_error_m?);
+        let (given_m, own_m) = (position.position.height_m?, position.height_error_m?);
         let heights = &reference.heights;
-        let is_elsewhere = heights.vertical().is_some_and(|vertical| vertical.is_ellipsoidal == position.in_crs);
-        if *heights == Heights::Level(0.0) || is_elsewhere {
+        if *heights == Heights::Level(0.0) {
             return None;
         }
+        let stated = heights.vertical().map(|vertical| vertical.is_ellipsoidal);
+        let zero_m = match (position.in_crs, stated) {
+            // Both count from the same zero, as far as anything says it.
+            (true, None | Some(false)) | (false, Some(true)) => 0.0,
+            (true, Some(true)) => return None,
+            (false, Some(false)) => options.heights_geoid_m?,
+            (false, None) => options.heights_geoid_m.unwrap_or(0.0),
+        };
+        let height_m = given_m - zero_m;
         let of_one = PlaceErrors::new(options, reference.georeference.gsd(), matches!(heights, Heights::Model(_))).height;
         Some(Self { height_m, error_m: libm::hypot(own_m, SHARED * unit_m * of_one) })
     }
