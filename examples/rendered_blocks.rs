@@ -31,16 +31,16 @@ fn main() -> Result<(), Failure> {
     let wanted = plain.get(2).map_or("", |word| word.as_str());
     let is_each = words.iter().any(|word| word == "--each");
     let mut total = vec![Sums::default(); DATUMS.len()];
-    for kind in kinds().iter().filter(|kind| kind.name.contains(wanted)) {
+    for (draw, kind) in (0..).zip(kinds()).filter(|(_, kind)| kind.name.contains(wanted)) {
         let shared = given.unwrap_or_else(|| kind.settings().shared_errors());
         let mut sums = vec![Sums::default(); DATUMS.len()];
         for seed in first..first + seeds {
             let flight = BlockFlight { seed, ..kind.flight.clone() };
             let scene = BlockScene::new(&flight)?;
-            let known = kept(&Path::new(folder).join(kind.name).join(seed.to_string()), &scene, kind)?;
+            let known = kept(&Path::new(folder).join(kind.name).join(seed.to_string()), &scene, &kind)?;
             for (datum, sums) in DATUMS.iter().zip(&mut sums) {
                 let mut own = Sums::default();
-                own.add(&known, &scene, &flight, *datum, shared)?;
+                own.add(&known, &scene, (&flight, draw), *datum, shared)?;
                 if is_each {
                     println!("{:24} {seed:4} {}", kind.name, own.line(*datum));
                 }
@@ -169,9 +169,14 @@ const MARK_PX: f64 = 0.2;
 /// Of surveyed points, of which every other one is a control point.
 const SURVEYED: usize = 24;
 
-/// Gives a block what a datum asks for; tells the check points with their true places.
-fn place(block: &mut Block, scene: &BlockScene, flight: &BlockFlight, datum: Datum) -> Result<Vec<(usize, [f64; 3])>, Failure> {
-    let mut normal = Normal(u64::from(flight.seed) << 32);
+/// Gives a block what a datum asks for; tells the check points with their true places. `draw` tells apart the errors of blocks of one seed.
+fn place(
+    block: &mut Block,
+    scene: &BlockScene,
+    (flight, draw): (&BlockFlight, u64),
+    datum: Datum,
+) -> Result<Vec<(usize, [f64; 3])>, Failure> {
+    let mut normal = Normal((u64::from(flight.seed) << 32) + (draw << 16));
     let mut checks = Vec::new();
     if datum == Datum::Gnss {
         for image in &mut block.images {
@@ -267,9 +272,16 @@ struct Sums {
 }
 
 impl Sums {
-    fn add(&mut self, known: &Block, scene: &BlockScene, flight: &BlockFlight, datum: Datum, shared_errors: f64) -> Result<(), Failure> {
+    fn add(
+        &mut self,
+        known: &Block,
+        scene: &BlockScene,
+        drawn: (&BlockFlight, u64),
+        datum: Datum,
+        shared_errors: f64,
+    ) -> Result<(), Failure> {
         let mut block = known.clone();
-        let checks = place(&mut block, scene, flight, datum)?;
+        let checks = place(&mut block, scene, drawn, datum)?;
         let options = AdjustmentOptions { datum, calibration_limit_px: 20.0, shared_errors, ..AdjustmentOptions::default() };
         let adjusted: AdjustmentResult = adjust_block(&block, &options)?;
         self.sigma0.add(adjusted.sigma0_px.unwrap_or(0.0));
