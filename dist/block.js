@@ -13183,10 +13183,10 @@ function boxOf(places) {
 	];
 }
 // www/block/panel/placing-words.ts
-function verdictText({ result, problem }) {
+function verdictText({ result, problem }, { catalogue }) {
 	if (result === null) return say("not-read", { problem: sentence(problem) });
 	const verdict = message("placing_verdict", result.verdict);
-	return result.search === void 0 ? verdict : `${verdict} ${message("place_search", result.search)}`;
+	return readable(catalogue?.labels ?? null, result.search === void 0 ? verdict : `${verdict} ${message("place_search", result.search)}`);
 }
 // www/block/panel/orthophoto-view.ts
 var KEYS$1 = say("press-a-footprint-to-see");
@@ -13336,7 +13336,7 @@ function chosenText({ state }) {
 		added,
 		least_links: 4
 	});
-	if (placing.chosen.link === null || links === null || placing.chosen.link >= links.count) return `${asFigure(placed.file.name)}: ${verdictText(placed)}`;
+	if (placing.chosen.link === null || links === null || placing.chosen.link >= links.count) return `${asFigure(placed.file.name)}: ${verdictText(placed, state)}`;
 	const link = linkOf(links, placing.chosen.link);
 	const residual = link.residual_px;
 	const off = residual === null ? say("the-image-does-not-see") : say("residual-px-px", {
@@ -13835,7 +13835,7 @@ function placedTable(host, store) {
 			draw();
 		}
 	});
-	const columns = remember((shown, unit) => placedColumns(shown, verdictText, unit));
+	const columns = remember((shown, unit) => placedColumns(shown, (one) => verdictText(one, store.state), unit));
 	const draw = () => {
 		if (isHidden(host)) return;
 		rows = placedFiles(store.state);
@@ -14897,7 +14897,7 @@ function answered$1(state, tried, actions) {
 	const waiting = unplacedFiles(state).length;
 	const stale = tried.filter(({ isStale }) => isStale).length;
 	const [first] = tried;
-	const text = tried.length === 1 && waiting <= stale && first !== void 0 ? verdictText(first) : say("of-placed", {
+	const text = tried.length === 1 && waiting <= stale && first !== void 0 ? verdictText(first, state) : say("of-placed", {
 		placed: placed + weak,
 		tried: images(tried.length + Math.max(0, waiting - stale)),
 		what: weak > 0 ? say("with-doubt", {
@@ -14907,7 +14907,7 @@ function answered$1(state, tried, actions) {
 		what_2: without > 0 ? say("not-placed", { without }) : ""
 	});
 	const more = [
-		tried.length > 1 ? reasonOf(tried) : "",
+		tried.length > 1 ? reasonOf(tried, state) : "",
 		stale > 0 ? say("settings-heights-or-cameras-have", { what: stale === tried.length ? say("then") : say("placed", {
 			stale: images(stale),
 			stale_2: stale
@@ -14941,11 +14941,11 @@ function answered$1(state, tried, actions) {
 		next
 	};
 }
-function reasonOf(tried) {
+function reasonOf(tried, state) {
 	const first = tried.find(({ result }) => result?.verdict.kind !== "placed");
 	return first === void 0 ? "" : say("reason-of", {
 		name: first.file.name,
-		reason: verdictText(first)
+		reason: verdictText(first, state)
 	});
 }
 function figuresOf$1(tried, unit) {
@@ -15040,7 +15040,7 @@ function placedOf(state) {
 	if (tried.length === 0) return null;
 	const list = tried.map((one) => ({
 		name: one.file.name,
-		reason: `${verdictText(one)}${one.isStale ? say("earlier-settings") : ""}`
+		reason: `${verdictText(one, state)}${one.isStale ? say("earlier-settings") : ""}`
 	}));
 	return section(say("placed-images"), "block-placed-images", reasons(list), h("p", {}, heightsText(state)));
 }

@@ -5437,34 +5437,6 @@ var PointGrid = class {
 		return [clamp(centre - radius), clamp(centre + radius)];
 	}
 };
-// www/shared/panel/facts.ts
-var open$1 = new Set();
-function facts(list) {
-	return h("dl", { class: "facts" }, ...list.flatMap(({ name, testid, value, help, kind }) => {
-		const text = h("dd", {
-			class: "help",
-			id: `${testid}-help`,
-			hidden: !open$1.has(testid)
-		}, help);
-		const press = button(name, `${testid}-name`, () => {
-			text.hidden = !text.hidden;
-			if (text.hidden) open$1.delete(testid);
-			else open$1.add(testid);
-			press.setAttribute("aria-expanded", String(!text.hidden));
-		}, help);
-		press.className = "explained";
-		press.setAttribute("aria-expanded", String(!text.hidden));
-		press.setAttribute("aria-controls", text.id);
-		return [
-			h("dt", {}, press),
-			h("dd", {
-				testid,
-				class: kind ?? ""
-			}, value),
-			text
-		];
-	}));
-}
 // pkg/block/option-name.js
 var optionName = ({ key, named }) => named || key.replace(/^.*\./, "").replaceAll("_", "-");
 // www/shared/text/names.ts
@@ -5510,6 +5482,34 @@ function firstNamed(parameters, message) {
 }
 function quoted(label) {
 	return label === void 0 ? void 0 : `“${label}”`;
+}
+// www/shared/panel/facts.ts
+var open$1 = new Set();
+function facts(list) {
+	return h("dl", { class: "facts" }, ...list.flatMap(({ name, testid, value, help, kind }) => {
+		const text = h("dd", {
+			class: "help",
+			id: `${testid}-help`,
+			hidden: !open$1.has(testid)
+		}, help);
+		const press = button(name, `${testid}-name`, () => {
+			text.hidden = !text.hidden;
+			if (text.hidden) open$1.delete(testid);
+			else open$1.add(testid);
+			press.setAttribute("aria-expanded", String(!text.hidden));
+		}, help);
+		press.className = "explained";
+		press.setAttribute("aria-expanded", String(!text.hidden));
+		press.setAttribute("aria-controls", text.id);
+		return [
+			h("dt", {}, press),
+			h("dd", {
+				testid,
+				class: kind ?? ""
+			}, value),
+			text
+		];
+	}));
 }
 // www/shared/panel/scrolled.ts
 function byKeys(text) {

@@ -14,7 +14,8 @@ before(async () => {
 });
 
 /** A message as the page writes it.  @param {string} text */
-const written = (text) => page.names.readable({ parameters: block_parameters().map(page.options.optionInLanguage), flightParameters: [] }, text);
+const written = (text) =>
+  page.names.readable({ parameters: [...block_parameters(), ...placing_parameters()].map(page.options.optionInLanguage), flightParameters: [] }, text);
 
 test('a problem of a table names the setting that is missing, not the option of the command', () => {
   const { placing } = block_settings({});

@@ -136,7 +136,8 @@ function chosenText({ state }: BlockStore): string {
   const added = links?.count ?? 0;
   if (placed.result?.placement === null && added > 0 && placing.chosen.link === null && placed.result === placed.found)
     return say('of-at-least-links-by', { name: placed.file.name, added, least_links: LEAST_LINKS });
-  if (placing.chosen.link === null || links === null || placing.chosen.link >= links.count) return `${asFigure(placed.file.name)}: ${verdictText(placed)}`;
+  if (placing.chosen.link === null || links === null || placing.chosen.link >= links.count)
+    return `${asFigure(placed.file.name)}: ${verdictText(placed, state)}`;
   const link = linkOf(links, placing.chosen.link);
   const residual = link.residual_px;
   const off =

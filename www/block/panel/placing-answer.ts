@@ -73,7 +73,7 @@ function answered(state: BlockState, tried: readonly PlacedFile[], actions: Plac
   const [first] = tried;
   const text =
     tried.length === 1 && waiting <= stale && first !== undefined
-      ? verdictText(first)
+      ? verdictText(first, state)
       : say('of-placed', {
           placed: placed + weak,
           tried: images(tried.length + Math.max(0, waiting - stale)),
@@ -82,7 +82,7 @@ function answered(state: BlockState, tried: readonly PlacedFile[], actions: Plac
         });
   const more = [
     // Of one image it is said already.
-    tried.length > 1 ? reasonOf(tried) : '',
+    tried.length > 1 ? reasonOf(tried, state) : '',
     stale > 0
       ? say('settings-heights-or-cameras-have', { what: stale === tried.length ? say('then') : say('placed', { stale: images(stale), stale_2: stale }) })
       : '',
@@ -105,9 +105,9 @@ function answered(state: BlockState, tried: readonly PlacedFile[], actions: Plac
 }
 
 /** What speaks against the first image that is placed with doubt, or not at all; the others are in the details. */
-function reasonOf(tried: readonly PlacedFile[]): string {
+function reasonOf(tried: readonly PlacedFile[], state: BlockState): string {
   const first = tried.find(({ result }) => result?.verdict.kind !== 'placed');
-  return first === undefined ? '' : say('reason-of', { name: first.file.name, reason: verdictText(first) });
+  return first === undefined ? '' : say('reason-of', { name: first.file.name, reason: verdictText(first, state) });
 }
 
 function figuresOf(tried: readonly PlacedFile[], unit: LengthUnit): Figure[] {

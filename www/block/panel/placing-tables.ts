@@ -47,7 +47,7 @@ function placedTable(host: HTMLElement, store: BlockStore): { draw: () => void }
       draw();
     },
   });
-  const columns = remember((shown: readonly PlacedFile[], unit: LengthUnit) => placedColumns(shown, verdictText, unit));
+  const columns = remember((shown: readonly PlacedFile[], unit: LengthUnit) => placedColumns(shown, (one) => verdictText(one, store.state), unit));
   const draw = () => {
     if (isHidden(host)) return;
     rows = placedFiles(store.state);

@@ -81,7 +81,7 @@ function onGround(shown: Shown, off: HTMLElement, written: (text: string) => str
 function placedOf(state: BlockState): HTMLElement | null {
   const tried = placedFiles(state);
   if (tried.length === 0) return null;
-  const list = tried.map((one) => ({ name: one.file.name, reason: `${verdictText(one)}${one.isStale ? say('earlier-settings') : ''}` }));
+  const list = tried.map((one) => ({ name: one.file.name, reason: `${verdictText(one, state)}${one.isStale ? say('earlier-settings') : ''}` }));
   return section(say('placed-images'), 'block-placed-images', reasons(list), h('p', {}, heightsText(state)));
 }
 
