@@ -3,7 +3,7 @@
  * start of the command outweighs, once more by itself.
  */
 
-import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -21,6 +21,9 @@ const OBSERVATIONS = [20, 200, 5000];
 
 /** Of the small flights below, so that a run of all takes minutes. */
 const PHOTO = ['--width-px', '1200', '--height-px', '900', '--pixel-mm', '0.048'];
+
+/** Of the photos of the sample in the scans whose fiducial marks were measured. */
+const ORIGINS = { left: '413,107', right: '48,114' };
 
 /** A process that is loaded before the command tells the time it took, of all threads, when it ends. */
 const CLOCK = `data:text/javascript,${encodeURIComponent(`
@@ -75,7 +78,17 @@ async function made(folder) {
   await must(process.execPath, [join(ROOT, PROGRAM), 'sample', '--out', pair], { quiet: true });
   await must(process.execPath, [join(ROOT, PROGRAM), 'simulate', '--block', '--out', block, '--strips', '2', '--exposures', '4', ...PHOTO], { quiet: true });
   const [left, right] = ['left.png', 'right.png'].map((name) => join(pair, name));
-  const match = (/** @type {string} */ strategy) => ['match', left ?? '', right ?? '', '--strategy', strategy, '--json'];
+  // With a camera of the fields that earlier releases read, too: without one a pair has no orientation, and is looked at for what would do.
+  const { tangential_distortion: _, ...camera } = JSON.parse(readFileSync(join(pair, 'camera.json'), 'utf8'));
+  const own = join(folder, 'camera.json');
+  writeFileSync(own, JSON.stringify(camera));
+  const fiducials = ['left', 'right'].flatMap((side) => [
+    `--${side}-fiducials`,
+    join(pair, `${side}-fiducials.csv`),
+    `--${side}-origin`,
+    ORIGINS[/** @type {'left' | 'right'} */ (side)],
+  ]);
+  const match = (/** @type {string} */ strategy) => ['match', left ?? '', right ?? '', '--camera', own, ...fiducials, '--strategy', strategy, '--json'];
   const orient = (/** @type {number} */ count) => ['orient', observations(folder, count), '--focal-mm', '153', '--base-mm', '92', '--json'];
   const blockOf = (/** @type {string[]} */ ...more) => ['block', join(block, 'photos'), '--out', join(folder, 'out'), '--json', '--workers', '2', ...more];
   return [
