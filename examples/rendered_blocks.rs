@@ -30,7 +30,8 @@ fn main() -> Result<(), Failure> {
     let seeds: u32 = plain.get(1).map_or(Ok(5), |word| word.parse())?;
     let wanted = plain.get(2).map_or("", |word| word.as_str());
     let is_each = words.iter().any(|word| word == "--each");
-    let mut total = vec![Sums::default(); DATUMS.len()];
+    // Of unrefined blocks and of refined ones.
+    let mut totals = [vec![Sums::default(); DATUMS.len()], vec![Sums::default(); DATUMS.len()]];
     for (draw, kind) in (0..).zip(kinds()).filter(|(_, kind)| kind.name.contains(wanted)) {
         let shared = given.unwrap_or_else(|| kind.settings().shared_errors());
         let mut sums = vec![Sums::default(); DATUMS.len()];
@@ -50,10 +51,12 @@ fn main() -> Result<(), Failure> {
         for (datum, sums) in DATUMS.iter().zip(&sums) {
             println!("{:24} {:2} blocks {}", kind.name, seeds, sums.line(*datum));
         }
-        total.iter_mut().zip(&sums).for_each(|(total, sums)| total.join(sums));
+        totals[usize::from(kind.is_refined)].iter_mut().zip(&sums).for_each(|(total, sums)| total.join(sums));
     }
-    for (datum, sums) in DATUMS.iter().zip(&total) {
-        println!("{:24}    blocks {}", "all", sums.line(*datum));
+    for (name, total) in ["all unrefined", "all refined"].into_iter().zip(&totals) {
+        for (datum, sums) in DATUMS.iter().zip(total).filter(|(_, sums)| sums.sigma0.number > 0) {
+            println!("{name:24} {:2} blocks {}", sums.sigma0.number, sums.line(*datum));
+        }
     }
     Ok(())
 }
