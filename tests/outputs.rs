@@ -261,11 +261,17 @@ fn the_support_of_a_block_repeats_its_adjustment() {
     assert!(!model(run).supporting.is_empty());
     let again = run.with_edits(&[BlockEdit::RestorePoints { points: vec![point] }]).unwrap();
     let (before, after) = (model(run), model(&again));
-    assert!((before.adjusted.sigma0_px.unwrap() - after.adjusted.sigma0_px.unwrap()).abs() < 1e-6);
+    // This adjustment starts where that one ended: an observation at its limit may be judged otherwise. Without the support four fifths of the redundancy
+    // would be gone.
+    let freedom = [&before, &after].map(|model| model.adjusted.degrees_of_freedom);
+    assert!(freedom[0].abs_diff(freedom[1]) <= 2, "{freedom:?}");
+    let (of_sigma, of_errors) = if freedom[0] == freedom[1] { (1e-5, 1e-3) } else { (0.01, 0.3) };
+    let [sigma, again] = [&before, &after].map(|model| model.adjusted.sigma0_px.unwrap());
+    assert!((again / sigma - 1.0).abs() < of_sigma, "{sigma} {again}");
     for (a, b) in before.adjusted.block.images.iter().zip(&after.adjusted.block.images) {
         let moved = [0, 1, 2].map(|k| (a.pose.position[k] - b.pose.position[k]).abs());
         let errors = before.adjusted.images[0].position_errors.unwrap();
-        assert!((0..3).all(|k| moved[k] < 1e-3 * errors[k]), "{moved:?} of {errors:?}");
+        assert!((0..3).all(|k| moved[k] < of_errors * errors[k]), "{moved:?} of {errors:?}");
     }
     assert_eq!((before.points, before.supporting.len()), (after.points, after.supporting.len()));
 }

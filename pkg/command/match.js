@@ -107,7 +107,9 @@ function noteWithoutEffect(values) {
  * @returns {import('../node.js').PairHint | null}
  */
 function hintOf({ verdict, offset }, { left, right, settings }) {
-  return pair_hint(verdict, settings) && pair_hint(verdict, settings, photo_difference(left, right), offset);
+  const hint = pair_hint(verdict, settings);
+  // How the photos lie to each other takes a second and more to find: without a camera the matches may well be right.
+  return hint?.kind === 'other_strategy' ? pair_hint(verdict, settings, photo_difference(left, right), offset) : hint;
 }
 
 /** The JSON form.  @param {PairOutput} output @param {import('../node.js').Given<import('../node.js').PairSettings>} settings @param {readonly import('./file-cameras.js').FileCamera[]} cameras of the files @param {import('../node.js').PairHint | null} hint */

@@ -5035,7 +5035,7 @@ export type Observed = "positions" | "points" | "both";
 /**
  * What would do where the strategy of a pair did not: it compares windows of grey values as they stand in both photos.
  */
-export type PairHint = { kind: "other_strategy" } | { kind: "turned"; turn_deg: number; most_deg: number; scale: number } | { kind: "scaled"; scale: number; most: number; turn_deg: number } | { kind: "turned_and_scaled"; turn_deg: number; most_deg: number; scale: number; most: number } | { kind: "displaced"; dx_px: number; dy_px: number; expected_dx_px: number; expected_dy_px: number; most_px: number; turn_deg: number; scale: number };
+export type PairHint = { kind: "other_strategy" } | { kind: "unknown_camera" } | { kind: "turned"; turn_deg: number; most_deg: number; scale: number } | { kind: "scaled"; scale: number; most: number; turn_deg: number } | { kind: "turned_and_scaled"; turn_deg: number; most_deg: number; scale: number; most: number } | { kind: "displaced"; dx_px: number; dy_px: number; expected_dx_px: number; expected_dy_px: number; most_px: number; turn_deg: number; scale: number };
 
 /**
  * Where an image shows a place.

@@ -932,6 +932,7 @@ pair-verdict-not-oriented = Not oriented: { $no_orientation }.
 ## What else would do for a pair.
 
 pair-hint-other-strategy = This strategy compares windows as they stand in both photos: where these are turned, of another scale or overlap elsewhere, the strategy “auto” finds more.
+pair-hint-unknown-camera = The strategy “auto” also orients photos of an unknown camera, which it finds by the matches; this one needs the camera.
 pair-hint-turned = The right photo is turned in its plane by { FIXED($turn_deg, digits: 0) }°: this strategy compares windows as they stand in both photos, and takes up to ± { $most_deg }°. Use the strategy “auto”, or rotate the right image back first.
 pair-hint-scaled = The right photo shows the same { SIGNIFICANT($scale, digits: 2) } times as large as the left one: this strategy compares windows as they stand in both photos, and takes up to { $most } times, either way. Use the strategy “auto”, or resize one image first.
 pair-hint-turned-and-scaled = The right photo is turned in its plane by { FIXED($turn_deg, digits: 0) }° and shows the same { SIGNIFICANT($scale, digits: 2) } times as large as the left one: this strategy compares windows as they stand in both photos, and takes up to ± { $most_deg }° and { $most } times, either way. Use the strategy “auto”.

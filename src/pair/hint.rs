@@ -21,6 +21,8 @@ messages! {
     pub enum PairHint as "pair_hint" {
         /// Photos may be turned, of another scale or of another offset.
         OtherStrategy,
+        /// The camera is missing, which the strategy that follows geometry finds by the matches.
+        UnknownCamera,
         /// The right photo is turned in its plane, as κ is, by more than the strategy takes.
         Turned { turn_deg: f64, most_deg: f64, scale: f64 },
         /// The right photo is of another scale, so many times as large, than the strategy takes.
@@ -42,8 +44,9 @@ impl PairHint {
             PairVerdict::Weak { warning, .. } => *warning == Warning::SimilarityAlone || warning.is_of_part(),
             PairVerdict::NotOriented { no_orientation } => is_by_any_strategy(no_orientation),
         };
+        let lacks_camera = matches!(verdict, PairVerdict::NotOriented { no_orientation: NoOrientation::NoCamera { .. } });
         let compares_windows = settings.resolved().matching.strategy != Strategy::Gradient;
-        (compares_windows && !is_helpless).then_some(Self::OtherStrategy)
+        (compares_windows && !is_helpless).then_some(if lacks_camera { Self::UnknownCamera } else { Self::OtherStrategy })
     }
 
     /// The hint with the figures of what these photos ask of the strategy that it does not take; itself where they ask for nothing. `expected`:
@@ -110,8 +113,10 @@ mod tests {
         let moments = with(Strategy::Moments);
         let few = NoOrientation::TooFewMatches { matches: 0, needed: 5 };
         let no_camera = NoOrientation::NoCamera { side: Side::Left };
-        for verdict in [weak.clone(), not_oriented(NoOrientation::PureRotation), not_oriented(no_camera), not_oriented(few)] {
-            assert_eq!(PairHint::of(&verdict, &moments), Some(PairHint::OtherStrategy), "{verdict:?}");
+        let with_camera = [weak.clone(), not_oriented(NoOrientation::PureRotation), not_oriented(few)];
+        let hinted = with_camera.map(|verdict| (verdict, PairHint::OtherStrategy));
+        for (verdict, hint) in hinted.into_iter().chain([(not_oriented(no_camera), PairHint::UnknownCamera)]) {
+            assert_eq!(PairHint::of(&verdict, &moments), Some(hint), "{verdict:?}");
             assert_eq!(PairHint::of(&verdict, &with(Strategy::Auto)), None, "{verdict:?}");
             assert_eq!(PairHint::of(&verdict, &with(Strategy::Gradient)), None, "{verdict:?}");
         }
@@ -149,6 +154,8 @@ mod tests {
             scale: 1.02,
         };
         assert_eq!(hint(difference(2.0, 1.02, 400.0)), displaced);
-        assert_eq!(PairHint::OtherStrategy.with(&difference(2.0, 1.02, 400.0), None, &moments), PairHint::OtherStrategy);
+        for hint in [PairHint::OtherStrategy, PairHint::UnknownCamera] {
+            assert_eq!(hint.with(&difference(2.0, 1.02, 400.0), None, &moments), hint);
+        }
     }
 }

@@ -31,12 +31,12 @@ const icon = {
   transformIndexHtml: () => [{ tag: 'link', attrs: { rel: 'icon', href: `data:image/svg+xml,${encodeURIComponent(iconSvg())}` }, injectTo: 'head' }],
 };
 
-/** The program is fetched at the same time as what starts it.  @type {import('vite').Plugin} */
+/** The program is fetched beside what starts it, and behind what the first view needs.  @type {import('vite').Plugin} */
 const early = {
   name: 'tiepoint-early',
   transformIndexHtml: {
     order: 'post',
-    handler: () => [{ tag: 'link', attrs: { rel: 'modulepreload', href: './program.js' }, injectTo: 'head' }],
+    handler: () => [{ tag: 'link', attrs: { rel: 'modulepreload', href: './program.js', fetchpriority: 'low' }, injectTo: 'head' }],
   },
 };
 

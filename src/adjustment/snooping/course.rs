@@ -37,15 +37,19 @@ pub(super) struct Course<'a> {
     /// Those that agreed at the start, and whether all these are kept: too many were refused since.
     pub agreed: Vec<bool>,
     pub keeps_agreed: bool,
-    /// Whether rejected rays were taken back after the first rounds, since groups were weighted last.
+    /// Whether rejected rays were taken back after the first rounds, since weights were made anew last.
     pub is_reconsidered: bool,
     pub start: State,
     /// How many rays were accepted at the start, and how many of which no standard error is stated.
     pub rays_at_start: usize,
     pub unstated_at_start: usize,
     pub state: State,
-    /// Standard error of a coordinate as the last round saw it; 0 at first.
+    /// Standard error of a coordinate as the last round saw it, by which rays are judged; 0 at first.
     pub sigma: f64,
+    /// σ₀ of the rays once none was left to reject: from then on it weighs what has a stated standard error.
+    pub sigma0: Option<f64>,
+    /// How often it was found to be another, since anything else changed last.
+    pub weighings: usize,
     pub iterations: usize,
     /// What of earlier rounds serves as long as the rays are nearly the same: the pattern of the equations, a factor, the cofactors of
     /// orientations. The cofactors are those of one loss.
@@ -82,6 +86,8 @@ impl<'a> Course<'a> {
             rays_at_start: 0,
             unstated_at_start: 0,
             sigma: 0.0,
+            sigma0: None,
+            weighings: 0,
             iterations: 0,
             pattern: None,
             nearby: None,
@@ -124,9 +130,11 @@ impl<'a> Course<'a> {
         (self.nearby, self.orientations) = (None, None);
     }
 
-    /// The standard error of a ray that weights observed positions.
+    /// The standard error of a ray that weights what has a stated standard error. The median is the one that gross errors hardly raise; where none are
+    /// left it is too small, since errors of real matches have longer tails than the normal distribution.
     pub fn weighted_by(&self) -> f64 {
-        self.options.sigma0_px.unwrap_or(if self.sigma > 0.0 { self.sigma } else { 1.0 })
+        let found = self.sigma0.unwrap_or(self.sigma);
+        self.options.sigma0_px.unwrap_or(if found > 0.0 { found } else { 1.0 })
     }
 
     /// The observed positions of images and points that take part.

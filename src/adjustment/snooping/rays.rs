@@ -1,18 +1,19 @@
 //! Which rays take part: gross errors are rejected, and so is what its place alone excludes.
 
 use super::course::Course;
+use crate::adjustment::block::BlockObservation;
 use crate::adjustment::gauss_newton::{Adjusted, LEAST_SIGMA_PX};
 use crate::adjustment::loss::Robust;
 use crate::adjustment::options::Loss;
 use crate::adjustment::reduced::Problem;
 use crate::adjustment::reliability::Judged;
 use crate::adjustment::result::ObservationVerdict;
-use crate::adjustment::scale::sigma_by_median;
+use crate::adjustment::scale::{sigma_by_median, variance_left};
 use crate::adjustment::statistics::judge_by;
 use crate::math::{normal_median_within, weighted_median};
 
-/// Rounds of least squares in which what was rejected may come back; rays may once more at most with the same weights of
-/// groups, so that the rounds end.
+/// Rounds of least squares in which what was rejected may come back; rays may once more at most with the same weights, so that the
+/// rounds end.
 pub(super) const FREE_ROUNDS: usize = 2;
 
 /// Cofactors of an earlier round serve as long as they tell the same σ₀ but for this share.
@@ -22,16 +23,19 @@ const ALIKE_SIGMA: f64 = 0.03;
 const FEW_KNOWN: f64 = 8.0;
 const LEAST_CHECKED: f64 = 0.1;
 
+/// Image measurements beyond so many times the limit distort a block by least squares: all of one point are rejected at once, since no two of them may agree.
+const WILD: f64 = 10.0;
+
 /// Below this redundancy the median alone is no estimate.
 const FEW: i64 = 20;
 
-/// Rays of which no standard error is stated, with their verdicts.
-struct Unstated {
+/// Rays whose standard error is that of weight 1, with their verdicts.
+struct OwnRays {
     rays: Vec<Option<[Judged; 2]>>,
     verdicts: Vec<ObservationVerdict>,
 }
 
-impl Unstated {
+impl OwnRays {
     /// The coordinates of those that take part.
     fn accepted(&self) -> impl Iterator<Item = &Judged> {
         let accepted = self.rays.iter().zip(&self.verdicts).filter(|(_, verdict)| **verdict == ObservationVerdict::Accepted);
@@ -40,6 +44,12 @@ impl Unstated {
 
     fn redundancy(&self) -> f64 {
         self.accepted().map(|judged| judged.redundancy).sum()
+    }
+
+    /// Their standard error by least squares.
+    fn sigma(&self) -> f64 {
+        let squares: f64 = self.accepted().map(|j| j.standardised * j.standardised * j.redundancy).sum();
+        (squares / self.redundancy()).sqrt()
     }
 }
 
@@ -85,19 +95,17 @@ impl Course<'_> {
         }
     }
 
-    /// Snoops by the cofactors that an earlier round left, as long as the loss is the same; whether that settles what to do next. What they
-    /// find nothing wrong with is judged by its own cofactors.
-    pub fn snoop_by_earlier(&mut self, problem: &Problem<'_>, adjusted: &Adjusted, loss: Loss, calm_rounds: usize) -> bool {
-        let Some((of_loss, orientations)) = self.orientations.as_ref().filter(|(of_loss, _)| *of_loss == loss) else { return false };
-        let is_robust = *of_loss != Loss::Squares;
+    /// The rays by the cofactors that an earlier round left, as long as the loss is the same; they judge σ anew. `None` where they no longer serve.
+    pub fn judged_by_earlier(&mut self, problem: &Problem<'_>, adjusted: &Adjusted, loss: Loss) -> Option<Vec<Option<[Judged; 2]>>> {
+        let (_, orientations) = self.orientations.as_ref().filter(|(of_loss, _)| *of_loss == loss)?;
         let judged = judge_by(orientations, problem, adjusted, &self.block, &self.verdicts);
         let sigma = self.scale(&judged.rays, adjusted, problem.redundancy());
-        // Where something is hardly determined, small steps make large cofactors others: then they no longer serve.
+        // Where something is hardly determined, small steps make large cofactors others.
         if (sigma - self.sigma).abs() > ALIKE_SIGMA * self.sigma {
-            return false;
+            return None;
         }
         self.sigma = sigma;
-        self.snoop(&judged.rays, loss, calm_rounds) || is_robust
+        Some(judged.rays)
     }
 
     /// The standard error of a ray by which rays are judged: that of rays of which none is stated, where these are enough.
@@ -116,21 +124,29 @@ impl Course<'_> {
 
     /// σ₀ by least squares of all observations, or of the rays of which none is stated, as [`scale`](Self::scale) has it.
     pub fn unit_error(&self, rays: &[Option<[Judged; 2]>], adjusted: &Adjusted) -> f64 {
-        self.unstated(rays).map_or(adjusted.sigma, |own| {
-            let squares: f64 = own.accepted().map(|j| j.standardised * j.standardised * j.redundancy).sum();
-            (squares / own.redundancy()).sqrt()
-        })
+        self.unstated(rays).map_or(adjusted.sigma, |own| own.sigma())
+    }
+
+    /// σ₀ by the rays alone, made consistent where the rejection has cut their residuals: a wrong control point raises it less than σ₀ of all
+    /// observations. `None` where their redundancy hardly tells it.
+    pub fn sigma0_of_rays(&self, rays: &[Option<[Judged; 2]>]) -> Option<f64> {
+        let own = self.own(rays)?;
+        let left = variance_left(&own.verdicts, own.redundancy() as usize, self.options.alpha0);
+        Some(own.sigma() / left.sqrt())
     }
 
     /// The rays of which no standard error is stated, where there are others and these carry a σ of their own.
-    fn unstated(&self, rays: &[Option<[Judged; 2]>]) -> Option<Unstated> {
-        if !self.weights.has_known_rays {
-            return None;
-        }
+    fn unstated(&self, rays: &[Option<[Judged; 2]>]) -> Option<OwnRays> {
+        if self.weights.has_known_rays { self.own(rays) } else { None }
+    }
+
+    /// The rays whose standard error is that of weight 1, where they carry a σ of their own: those of which none is stated, or all.
+    fn own(&self, rays: &[Option<[Judged; 2]>]) -> Option<OwnRays> {
+        let is_own = |ray: &BlockObservation| ray.sigma_px.is_none() || !self.weights.has_known_rays;
         let of_block = self.block.rays.iter().zip(rays.iter().zip(&self.verdicts));
-        let own = of_block.filter(|(ray, _)| ray.sigma_px.is_none()).map(|(_, (judged, verdict))| (*judged, *verdict));
+        let own = of_block.filter(|(ray, _)| is_own(ray)).map(|(_, (judged, verdict))| (*judged, *verdict));
         let (rays, verdicts) = own.unzip();
-        Some(Unstated { rays, verdicts }).filter(|own| own.redundancy() >= FEW as f64)
+        Some(OwnRays { rays, verdicts }).filter(|own| own.redundancy() >= FEW as f64)
     }
 
     /// Rays of a known standard error are judged by how they scatter, where that is more: it may be stated too small, as that of positions.
@@ -142,7 +158,9 @@ impl Course<'_> {
         let sigma = self.sigma.max(LEAST_SIGMA_PX);
         let freedom: f64 = sizes.iter().map(|(_, redundancy)| redundancy).sum();
         let middle = weighted_median(&mut sizes).filter(|_| freedom >= FEW_KNOWN);
-        middle.map_or(1.0, |middle| (middle / normal_median_within(limit) / sigma).max(1.0))
+        // What their weights were made with.
+        let stated = self.sigma0.filter(|_| self.weights.has_known_rays).map_or(1.0, |sigma0| sigma0 / sigma);
+        middle.map_or(stated, |middle| (middle / normal_median_within(limit) / sigma).max(stated))
     }
 
     /// Rejects the worst ray of each point that exceeds the limit, and takes back what no longer does: in the first rounds, and once more when
@@ -153,10 +171,14 @@ impl Course<'_> {
         let known = self.scale_of_known(rays, self.options.limit());
         let before = self.verdicts.clone();
         let mut worst: Vec<Option<(usize, f64)>> = vec![None; self.block.points.len()];
-        let mut fitting = Vec::new();
+        let (mut fitting, mut wild) = (Vec::new(), Vec::new());
         for (ray, size) in sizes.enumerate() {
             let Some(size) = size else { continue };
-            let size = if self.block.rays[ray].sigma_px.is_some() { size / known } else { size };
+            let is_known = self.block.rays[ray].sigma_px.is_some();
+            let size = if is_known { size / known } else { size };
+            if is_known && loss != Loss::Squares && before[ray] == ObservationVerdict::Accepted && size > WILD * limit {
+                wild.push(ray);
+            }
             match before[ray] {
                 ObservationVerdict::Accepted if size > limit => {
                     let worst = &mut worst[self.block.rays[ray].point];
@@ -179,6 +201,7 @@ impl Course<'_> {
             }
         }
         worst.iter().flatten().for_each(|(ray, _)| self.verdicts[*ray] = ObservationVerdict::GrossError);
+        wild.into_iter().for_each(|ray| self.verdicts[ray] = ObservationVerdict::GrossError);
         self.lose_points();
         self.verdicts != before
     }

@@ -6,10 +6,11 @@ use crate::adjustment::axis::observed_axes;
 use crate::adjustment::block::Block;
 use crate::adjustment::components::sums_of_groups;
 use crate::adjustment::datum::{held_images, moved_onto};
-use crate::adjustment::gauss_newton::{Adjusted, Demand};
+use crate::adjustment::gauss_newton::{Adjusted, Demand, LEAST_SIGMA_PX};
 use crate::adjustment::network::Columns;
 use crate::adjustment::options::{AdjustmentOptions, Datum, Loss};
 use crate::adjustment::reduced::{KnownParameter, Problem};
+use crate::adjustment::reliability::Judged;
 use crate::adjustment::result::{FixedParameter, GroupWeighting, ObservationVerdict, VarianceComponent};
 use crate::adjustment::shared::{SharedCofactors, shared_cofactors};
 use crate::adjustment::statistics::{Statistics, statistics};
@@ -28,8 +29,11 @@ const TOLERANCE: f64 = 1e-4;
 /// Once nothing changes any more, steps go on to this: another program that starts from the result finds it again.
 const LAST_TOLERANCE: f64 = 1e-6;
 
-/// A σ₀ that weights observed positions has settled when it changes by less than this share.
+/// The median that weights observed positions while rays are rejected has settled when it changes by less than this share.
 const SETTLED_SIGMA: f64 = 0.02;
+/// The same of σ₀, which takes its place. It hardly follows its own weights, and settles in two or three rounds, where the rays are more than what it weighs.
+const SETTLED_SIGMA0: f64 = 1e-4;
+const MOST_WEIGHINGS: usize = 10;
 
 /// A settled adjustment.
 pub(in crate::adjustment) struct Settled {
@@ -68,26 +72,30 @@ pub(in crate::adjustment) fn settle(block: &Block, options: &AdjustmentOptions) 
     let mut course = Course::new(block, options)?;
     course.fix_undetermined()?;
     let mut is_robust = options.loss != Loss::Squares;
-    let (mut calm_rounds, mut rounds, mut fixing) = (0, 0, 0);
+    // Rounds of which `aside` count for nothing: what ends them has an end of its own.
+    let (mut calm_rounds, mut rounds, mut aside) = (0, 0, 0);
     // What the adjustment with the weights that were stated took.
     let mut stated: Option<(usize, usize)> = None;
     // Rounds before the last weighting.
     let mut before = 0;
     let mut last = Unsettled::GrossErrors;
-    while rounds - before - fixing < MAX_ROUNDS {
+    while rounds - before - aside < MAX_ROUNDS {
         rounds += 1;
         let outcome = course.round(if is_robust { options.loss } else { Loss::Squares }, calm_rounds)?;
         calm_rounds += usize::from(!is_robust);
+        if !matches!(outcome, Outcome::Scaled) {
+            course.weighings = 0;
+        }
         match outcome {
-            Outcome::Fixed => fixing += 1,
+            Outcome::Fixed | Outcome::Scaled => aside += 1,
             Outcome::Changed { rejected, what } => {
                 last = what;
                 let few = rejected as f64 <= FEW_GROSS_ERRORS * block.rays.len() as f64;
-                is_robust &= !(options.snooping && (few || rounds - before - fixing >= ROBUST_ROUNDS));
+                is_robust &= !(options.snooping && (few || rounds - before - aside >= ROBUST_ROUNDS));
             }
             Outcome::Weighted => {
                 stated = stated.or(Some((rounds, course.iterations)));
-                (before, fixing) = (rounds, 0);
+                (before, aside) = (rounds, 0);
             }
             Outcome::Settled(settled) => {
                 let (rounds, iterations) = stated.unwrap_or((rounds, course.iterations));
@@ -109,6 +117,8 @@ enum Outcome {
     },
     /// Camera parameters or systematic errors of positions were fixed, and nothing else changed.
     Fixed,
+    /// Another σ₀ weighs what has a stated standard error, and nothing else changed.
+    Scaled,
     /// A group of observations was weighted anew by its residuals, and nothing else changed.
     Weighted,
     Settled(Box<Settled>),
@@ -137,18 +147,20 @@ impl<'a> Course<'a> {
     /// |---|---|---|---|
     /// | `creeping` | steps did not vanish | fixes camera parameters | `Fixed` |
     /// | `impossible` | points lie behind images or are not determined | rejects rays | `Changed` |
-    /// | `by_earlier_cofactors` | an earlier round of this loss left cofactors | rejects rays | `Changed` |
+    /// | `by_earlier_cofactors` | an earlier round of this loss left cofactors | rejects rays, or weighs by another σ₀ | `Changed` or `Scaled` |
     /// | `by_own_cofactors` | always | rejects and takes back rays and positions, weighs positions anew, ends the robust loss | `Changed` |
+    /// | `weighted_by_another` | σ₀ is not what standard errors were weighted by | weighs by σ₀ from now on | `Scaled` |
     /// | `weights` | variance components are to weigh | weighs a group of observations anew | `Weighted` |
     /// | `undetermined` | camera parameters are worse than the limit, or nothing determines systematic errors of positions | fixes them | `Fixed` |
     /// | `insignificant` | systematic errors of positions are no more than chance | fixes them at zero | `Fixed` |
     ///
     /// Below the last row the adjustment is settled.
-    const CHECKS: [Check<'a>; 7] = [
+    const CHECKS: [Check<'a>; 8] = [
         Self::creeping,
         Self::impossible,
         Self::by_earlier_cofactors,
         Self::by_own_cofactors,
+        Self::weighted_by_another,
         Self::weights,
         Self::undetermined,
         Self::insignificant,
@@ -191,6 +203,9 @@ impl<'a> Course<'a> {
             round.adjusted = last;
         }
         let sigma = self.round_error(&round);
+        // Where nothing is weighted beside the rays their σ₀ is that of weight 1 all the same.
+        let of_rays = round.statistics.as_ref().filter(|_| !self.is_weighted() && self.options.sigma0_px.is_none());
+        let weighted_by = of_rays.and_then(|found| self.sigma0_of_rays(&found.rays)).unwrap_or(weighted_by);
         Ok(Outcome::Settled(Box::new(Settled {
             shared,
             sigma,
@@ -272,8 +287,16 @@ impl<'a> Course<'a> {
     }
 
     fn by_earlier_cofactors(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
-        let serves = self.options.snooping && self.snoop_by_earlier(&round.problem, &round.adjusted, round.loss, round.calm_rounds);
-        Ok(serves.then(|| self.changed(round, Unsettled::GrossErrors)))
+        if !self.options.snooping {
+            return Ok(None);
+        }
+        let Some(rays) = self.judged_by_earlier(&round.problem, &round.adjusted, round.loss) else { return Ok(None) };
+        if self.snoop(&rays, round.loss, round.calm_rounds) || round.loss != Loss::Squares {
+            return Ok(Some(self.changed(round, Unsettled::GrossErrors)));
+        }
+        // What they find nothing wrong with is judged by its own cofactors, unless its weights are still on their way.
+        let is_on_its_way = self.sigma0.is_some() && self.weighs_by_another(&rays, round);
+        Ok(is_on_its_way.then_some(Outcome::Scaled))
     }
 
     fn by_own_cofactors(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
@@ -289,9 +312,8 @@ impl<'a> Course<'a> {
         } else {
             self.sigma = round.adjusted.sigma;
         }
-        let is_observed = options.datum != Datum::Free || !self.block.camera_priors.is_empty() || self.weights.has_known_rays;
-        let is_weighted = is_observed && options.sigma0_px.is_none();
-        let is_reweighted = is_weighted && (self.sigma - round.sigma_before).abs() > SETTLED_SIGMA * self.sigma;
+        let is_reweighted =
+            self.is_weighted() && self.sigma0.is_none() && (self.sigma - round.sigma_before).abs() > SETTLED_SIGMA * self.sigma;
         let found = round.statistics.as_ref().filter(|_| options.snooping);
         let is_replaced = found.is_some_and(|found| self.snoop_positions(found, round.weighted_by, round.calm_rounds));
         // What a robust loss leaves is judged again without it.
@@ -339,6 +361,37 @@ impl<'a> Course<'a> {
         }
         let shared = self.shared(round)?;
         Ok(self.fix_insignificant(&round.problem, self.round_error(round), shared.as_ref())?.then_some(Outcome::Fixed))
+    }
+
+    fn weighted_by_another(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
+        let Some(found) = round.statistics.as_ref().filter(|_| round.loss == Loss::Squares) else { return Ok(None) };
+        Ok(self.weighs_by_another(&found.rays, round).then_some(Outcome::Scaled))
+    }
+
+    /// Weighs by σ₀ of the rays, with which the standard errors of what it weighs are those that were stated; whether it was another.
+    fn weighs_by_another(&mut self, rays: &[Option<[Judged; 2]>], round: &Round<'_>) -> bool {
+        if !self.is_weighted() {
+            return false;
+        }
+        let Some(sigma0) = self.sigma0_of_rays(rays) else {
+            self.sigma0 = None;
+            return false;
+        };
+        let sigma0 = sigma0.max(LEAST_SIGMA_PX);
+        let is_another = (sigma0 - round.weighted_by).abs() > SETTLED_SIGMA0 * sigma0 && self.weighings < MOST_WEIGHINGS;
+        if is_another {
+            // What was rejected by other weights is judged by these.
+            self.is_reconsidered &= self.sigma0.is_some();
+            self.sigma0 = Some(sigma0);
+            self.weighings += 1;
+        }
+        is_another
+    }
+
+    /// Whether σ as it is estimated weighs anything.
+    fn is_weighted(&self) -> bool {
+        let is_observed = self.options.datum != Datum::Free || !self.block.camera_priors.is_empty() || self.weights.has_known_rays;
+        is_observed && self.options.sigma0_px.is_none()
     }
 
     fn changed(&self, round: &Round<'_>, what: Unsettled) -> Outcome {
