@@ -103,7 +103,7 @@ fn marks_of_one_point_that_show_no_common_place_cost_nothing_else() {
     let marks = |block: &Block, point: usize| block.rays.iter().filter(|ray| ray.point == point && ray.sigma_px.is_some()).count();
     let point = simulated.block.control.iter().map(|control| control.point).max_by_key(|point| marks(&simulated.block, *point)).unwrap();
     let number = marks(&simulated.block, point);
-    let camera = simulated.block.cameras[0].clone();
+    let camera = simulated.block.cameras[0];
     for (k, ray) in simulated.block.rays.iter_mut().filter(|ray| ray.point == point).enumerate() {
         ray.x_px = (ray.x_px + 613.0 * k as f64) % f64::from(camera.width_px);
         ray.y_px = (ray.y_px * 7919.0) % f64::from(camera.height_px);

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { block, photoFolder, photos, status } from './blocks.js';
+import { block, FLIGHT, photoFolder, photos, status } from './blocks.js';
 import { hosted, keptEdits, part, saved, says, SHOTS, SKIP } from './page.js';
 
 hosted('/block-edits/');
@@ -25,6 +25,21 @@ const undoIs = (page, pattern) =>
 async function project(page) {
   await part(page, 'block-export-kind').selectOption('project');
   return saved(page, 'block-export');
+}
+
+/** Goes on to a tie point that the first image shows away from its edges: what surrounds it can be matched.  @param {Page} page */
+async function inside(page) {
+  const pane = await part(page, 'pane-image-0').boundingBox();
+  assert.ok(pane);
+  for (let k = 1; k < 80; k += 1) {
+    await page.keyboard.press('n');
+    // Its place is in the middle of the pane, and is told of where the pointer is.
+    await page.mouse.move(pane.x + pane.width / 2 + (k % 2), pane.y + pane.height / 2);
+    const place = /^photo_0\.png: (\d+)\S*, (\d+)\S* px/.exec((await part(page, 'image-place').textContent()) ?? '');
+    const [column = 0, row = 0] = place?.slice(1).map(Number) ?? [];
+    if (column > 60 && column < FLIGHT.width_px - 60 && row > 30 && row < FLIGHT.height_px / 2 - 30) return;
+  }
+  assert.fail('no tie point is away from the edges of the first image');
 }
 
 test('observations and images are rejected, a point is measured by keyboard, all of it is undone after a reload to the byte', { skip: SKIP }, async () => {
@@ -66,6 +81,7 @@ test('observations and images are rejected, a point is measured by keyboard, all
 
   // A new point in three images, by the keyboard alone, within 20 s.
   await part(page, 'block-panes').focus();
+  await inside(page);
   const began = Date.now();
   await page.keyboard.press('a');
   await page.keyboard.press('Enter');
