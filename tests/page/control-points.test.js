@@ -132,6 +132,7 @@ test('control and check points are no tie points, their differences have a heigh
       }),
     ),
   );
+  await page.locator('.dock .panel:not([hidden]) tfoot td').first().waitFor();
   const { foot, stage } = await page.evaluate(() => ({
     foot: document.querySelector('.dock .panel:not([hidden]) tfoot td')?.getBoundingClientRect().bottom ?? NaN,
     stage: document.querySelector('main.block .stage')?.getBoundingClientRect().bottom ?? NaN,
