@@ -1161,15 +1161,6 @@ async function change(to, keeper) {
 	location.reload();
 }
 // www/main.ts
-var PATIENCE_MS = 1e3;
-var seen = () => new Promise((resolve) => {
-	if (document.hidden) resolve();
-	new PerformanceObserver(() => resolve()).observe({
-		type: "paint",
-		buffered: true
-	});
-	setTimeout(resolve, PATIENCE_MS);
-});
 async function start() {
 	const answer = document.getElementById("status");
 	let [given, hasTexts] = [0, false];
@@ -1182,7 +1173,6 @@ async function start() {
 		tell();
 	});
 	turnDocument();
-	await seen();
 	wasmModule().catch(() => void 0);
 	await learnPart("program");
 	sayDocument();

@@ -79,7 +79,7 @@ fn sigma0_is_that_of_tie_points_however_well_others_fit() {
 
 #[test]
 fn what_is_stated_is_weighted_beside_the_sigma0_that_is_reported() {
-    // Errors of real matches have longer tails than the normal distribution: the median of these is an eighth below their σ₀.
+    // Errors of real matches have longer tails than the normal distribution: the median of these is a seventh below their σ₀.
     for (seed, datum) in [(4, Datum::GnssAndControl), (5, Datum::Gnss), (6, Datum::Control)] {
         let mut simulated = Simulated::new(&Case { datum, ..RIGHT }, seed).unwrap();
         let mut normal = Normal(u64::from(seed));

@@ -13,17 +13,6 @@ import { mountDrop } from './shared/files/drop';
 import { sayDocument, turnDocument } from './shared/panel/language';
 import { say } from './shared/text/words';
 
-/** How long the program waits for the first view at most: a window that is covered shows none. */
-const PATIENCE_MS = 1000;
-
-/** The first view is on the screen. A tab in the background has none. */
-const seen = () =>
-  new Promise<void>((resolve) => {
-    if (document.hidden) resolve();
-    new PerformanceObserver(() => resolve()).observe({ type: 'paint', buffered: true });
-    setTimeout(resolve, PATIENCE_MS);
-  });
-
 async function start(): Promise<void> {
   // First of all: the browser would show a file that nobody takes in place of the page.
   const answer = document.getElementById('status');
@@ -37,8 +26,6 @@ async function start(): Promise<void> {
     tell();
   });
   turnDocument();
-  // The first view needs none of what is fetched from here on.
-  await seen();
   // It takes longest. Where it fails the program asks again, and says why.
   wasmModule().catch(() => undefined);
   await learnPart('program');

@@ -55,7 +55,7 @@ test('images open at a tie point in all that show it, with loupe, coordinates an
   // The next point of the first image opens in every image that shows it.
   await part(page, 'block-panes').focus();
   await page.keyboard.press('n');
-  const line = await says(page, 'image-point', / rays/);
+  const line = await says(page, 'image-point', /^Tie point .* rays/);
   const rays = Number(/(\d+) rays/.exec(line)?.[1]) + Number(/(\d+) rejected/.exec(line)?.[1] ?? 0);
   await shown(page, rays, rays);
   assert.match(line, /^Tie point \d+ · X Y Z .* · RMSE \d+\.\d\d px/);
@@ -74,7 +74,7 @@ test('images open at a tie point in all that show it, with loupe, coordinates an
   assert.ok(frame);
   const middle = /** @type {const} */ ([frame.x + frame.width / 2, frame.y + frame.height / 2]);
   await page.mouse.click(...middle);
-  assert.equal(await says(page, 'image-point', / rays/), line);
+  assert.equal(await says(page, 'image-point', /^Tie point .* rays/), line);
   assert.match(await says(page, 'image-place', / px/), /^photo_\d\.png: \d+\.\d, \d+\.\d px · ground about X Y Z( [−\d][\d .]*){3}/);
 
   // The loupe is in more images than the one under the pointer.
@@ -147,7 +147,7 @@ test('a tie point that was chosen before the images were first shown opens at th
   await part(page, 'tab-block-points').click();
   await page.locator('[data-testid="block-points"] tbody tr:not(.filler)').first().click();
   await part(page, 'block-show-images').click();
-  await says(page, 'image-point', / rays/);
+  await says(page, 'image-point', /^Tie point .* rays/);
   const frame = await panes(page).first().boundingBox();
   assert.ok(frame);
   const [x, y] = [frame.x + frame.width / 2, frame.y + frame.height / 2];

@@ -22,6 +22,7 @@ const CATEGORIES = { performance: 'performance', accessibility: 'accessibility',
 
 /** @type {[audit: string, name: string, show: (value: number) => string][]} */
 const FIGURES = [
+  ['first-contentful-paint', 'FCP', (value) => `${(value / 1000).toFixed(2)} s`],
   ['largest-contentful-paint', 'LCP', (value) => `${(value / 1000).toFixed(2)} s`],
   ['total-blocking-time', 'TBT', (value) => `${value.toFixed(0)} ms`],
   ['cumulative-layout-shift', 'CLS', (value) => value.toFixed(3)],
