@@ -7157,9 +7157,10 @@ function pairRows({ images, connections }) {
 }
 function pointRows(view) {
 	const { points } = view;
+	const coordinates = pointCoordinates(view);
 	const system = resultSystem(view);
 	const unit = unitOf(view);
-	const axis = (label, offset) => [numbers(label.toLowerCase(), headOf(system, label), unitOn(system, offset), 2 + moreOn(system, offset), (i) => pointCoordinates(view)[3 * i + offset] ?? NaN, helpOf(system, label, say("object-coordinate-in-m-where"))), numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
+	const axis = (label, offset) => [numbers(label.toLowerCase(), headOf(system, label), unitOn(system, offset), 2 + moreOn(system, offset), (i) => coordinates[3 * i + offset] ?? NaN, helpOf(system, label, say("object-coordinate-in-m-where"))), numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
 	const kindOf = (point) => KINDS[surveyedAt(view, point)?.role ?? "tie"];
 	return {
 		count: points.count,
@@ -7409,10 +7410,10 @@ function sourceOf(subject, title) {
 		keeps: ({ view }, selection) => subject === "pairs" ? keptBy(subject, view, selection) : void 0,
 		choice: (shown, row) => choiceOfRow(subject, shown, row),
 		chosen: (shown, choice) => {
-			const rows = new Set(rowsOfChoice(subject, shown, choice));
+			const rows = rowsOfChoice(subject, shown, choice);
 			return {
-				has: (row) => rows.has(row),
-				first: [...rows.values()][0] ?? -1
+				has: (row) => rows.includes(row),
+				first: rows[0] ?? -1
 			};
 		}
 	};

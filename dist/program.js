@@ -3919,25 +3919,24 @@ function whenInSight(host, draw) {
 	};
 }
 // www/shared/state/rows.ts
-function ordered(count, columns, { key, descending }, keep) {
-	const kept = keptRows(count, keep);
+function ordered(count, columns, { key, descending }) {
+	const rows = Uint32Array.from({ length: count }, (_, row) => row);
 	const column = columns.find((candidate) => candidate.key === key);
-	if (column === void 0) return kept;
+	if (column === void 0) return rows;
 	const sign = descending ? -1 : 1;
-	const values = new Array(count);
-	for (const row of kept) values[row] = column.value(row);
-	if (kept.some((row) => typeof values[row] === "string")) {
+	const values = Array.from(rows, column.value);
+	if (values.some((value) => typeof value === "string")) {
 		const words = new Intl.Collator("en", { numeric: true });
-		return kept.sort((a, b) => sign * words.compare(String(values[a]), String(values[b])) || a - b);
+		return rows.sort((a, b) => sign * words.compare(String(values[a]), String(values[b])) || a - b);
 	}
 	const keys = Float64Array.from(values, (value) => typeof value === "number" && !Number.isNaN(value) ? sign * value : Infinity);
-	return kept.sort((a, b) => (keys[a] ?? 0) < (keys[b] ?? 0) ? -1 : (keys[a] ?? 0) > (keys[b] ?? 0) ? 1 : a - b);
+	return rows.sort((a, b) => (keys[a] ?? 0) < (keys[b] ?? 0) ? -1 : (keys[a] ?? 0) > (keys[b] ?? 0) ? 1 : a - b);
 }
-function keptRows(count, keep) {
-	const rows = new Uint32Array(count);
+function keptOf(rows, keep) {
+	const kept = new Uint32Array(rows.length);
 	let length = 0;
-	for (let row = 0; row < count; row++) if (keep(row)) rows[length++] = row;
-	return rows.subarray(0, length);
+	for (const row of rows) if (keep(row)) kept[length++] = row;
+	return kept.subarray(0, length);
 }
 function keeping$1(columns, filter) {
 	const tests = columns.flatMap(({ key, value, text, words }) => {
@@ -3953,11 +3952,15 @@ function keeping$1(columns, filter) {
 			return number >= from && number <= to;
 		}];
 	});
-	return tests.length === 0 ? null : (row) => tests.every((test) => test(row));
+	const [only = null] = tests;
+	return tests.length < 2 ? only : (row) => tests.every((test) => test(row));
 }
 function maskOf(count, columns, filter) {
 	const meets = keeping$1(columns, filter);
-	return meets === null ? null : Uint8Array.from({ length: count }, (_, row) => Number(meets(row)));
+	if (meets === null) return null;
+	const mask = new Uint8Array(count);
+	for (let row = 0; row < count; row++) mask[row] = Number(meets(row));
+	return mask;
 }
 var NUMBER = String.raw`[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?`;
 var BETWEEN = new RegExp(`^(${NUMBER})\\s*(?:\\.\\.+|…|–|-|to)\\s*(${NUMBER})$`, "iu");
@@ -4307,6 +4310,7 @@ var Table = class {
 		key: "",
 		descending: false
 	};
+	inOrder = remember(ordered);
 	marked = -1;
 	anchor = -1;
 	active = -1;
@@ -4471,7 +4475,9 @@ var Table = class {
 	sort() {
 		const { columns, order, keep } = this;
 		const meets = keeping$1(this.all, this.conditions);
-		this.shown = ordered(this.count, columns, order, meets === null ? keep : (row) => keep(row) && meets(row));
+		const rows = this.inOrder(this.count, columns, order);
+		const keeps = meets === null || keep === ALL$1 ? meets ?? keep : (row) => keep(row) && meets(row);
+		this.shown = keeps === ALL$1 ? rows : keptOf(rows, keeps);
 		this.table.markOrder(order.key, order.descending);
 		this.measure();
 		this.showFoot(meets !== null);

@@ -143,19 +143,19 @@ export async function measured(count: number, images: number, steps: number, bru
   const [host, dock] = [box('view block-view', '560px'), box('dock', '320px')];
   document.body.append(host, dock);
   new BlockMap(host, store, looking, new Facts(store, ENGINE), PLACING);
-  let chosen: ReadonlySet<number> = new Set();
+  let chosen = pointsOf(null);
   const table = new Table(dock, {
     testid: 'bench',
     words: { table: 'Tie points', region: 'Table' },
     file: 'points.csv',
     filter: (filter) => store.dispatch({ type: 'filter', subject: 'points', filter }),
     choose: () => undefined,
-    isChosen: (row) => chosen.has(row),
+    isChosen: (row) => chosen.includes(row),
   });
   const rows = rowsOf('points', { view, given: [] });
   store.watch(['selection'], ([{ filters }]) => table.show(rows.count, rows.columns, undefined, filters.points));
   store.watch(['selection'], ([{ chosen: choice }]) => {
-    chosen = new Set(pointsOf(choice));
+    chosen = pointsOf(choice);
     table.redraw();
   });
   // Events of a bench are of no pointer that could be held.

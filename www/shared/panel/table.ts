@@ -1,6 +1,7 @@
 /** A table of any length: sorted by any of its columns, searched, chosen from by mouse and keys, and saved as it is shown. */
 import { save } from '../files/save';
-import { conditionOf, conditionText, csvOf, keeping, ordered, tabbedOf, totalOf } from '../state/rows';
+import { remember } from '../state/remember';
+import { conditionOf, conditionText, csvOf, keeping, keptOf, ordered, tabbedOf, totalOf } from '../state/rows';
 import type { Column, Filter, Order, Part, Total } from '../state/rows';
 import { count as counted, fixed } from '../text/format';
 import { fill, h } from './dom';
@@ -58,6 +59,8 @@ export class Table {
   private conditions: Filter = {};
   private shown: Uint32Array = new Uint32Array();
   private order: Order = { key: '', descending: false };
+  /** All rows as they are sorted: other conditions leave their order. */
+  private readonly inOrder = remember(ordered);
   private marked = -1;
   /** The row that was pressed last. */
   private anchor = -1;
@@ -239,7 +242,9 @@ export class Table {
   private sort(): number {
     const { columns, order, keep } = this;
     const meets = keeping(this.all, this.conditions);
-    this.shown = ordered(this.count, columns, order, meets === null ? keep : (row) => keep(row) && meets(row));
+    const rows = this.inOrder(this.count, columns, order);
+    const keeps = meets === null || keep === ALL ? (meets ?? keep) : (row: number) => keep(row) && meets(row);
+    this.shown = keeps === ALL ? rows : keptOf(rows, keeps);
     this.table.markOrder(order.key, order.descending);
     this.measure();
     this.showFoot(meets !== null);

@@ -36,28 +36,28 @@ export type Condition = { kind: 'contains'; text: string } | { kind: 'range'; fr
 /** By the key of the column. */
 export type Filter = Readonly<Record<string, Condition>>;
 
-/** The rows that are kept, in order of a column. Equal values keep their order. */
-export function ordered(count: number, columns: readonly Column[], { key, descending }: Order, keep: (row: number) => boolean): Uint32Array {
-  const kept = keptRows(count, keep);
+/** All rows in order of a column. Equal values keep their order. */
+export function ordered(count: number, columns: readonly Column[], { key, descending }: Order): Uint32Array {
+  const rows = Uint32Array.from({ length: count }, (_, row) => row);
   const column = columns.find((candidate) => candidate.key === key);
-  if (column === undefined) return kept;
+  if (column === undefined) return rows;
   const sign = descending ? -1 : 1;
-  const values = new Array<number | string>(count);
-  for (const row of kept) values[row] = column.value(row);
-  if (kept.some((row) => typeof values[row] === 'string')) {
+  const values = Array.from(rows, column.value);
+  if (values.some((value) => typeof value === 'string')) {
     const words = new Intl.Collator('en', { numeric: true });
-    return kept.sort((a, b) => sign * words.compare(String(values[a]), String(values[b])) || a - b);
+    return rows.sort((a, b) => sign * words.compare(String(values[a]), String(values[b])) || a - b);
   }
   // A comparison of numbers alone, with those that are not there behind them: 100,000 rows are in order before the next frame.
   const keys = Float64Array.from(values, (value) => (typeof value === 'number' && !Number.isNaN(value) ? sign * value : Infinity));
-  return kept.sort((a, b) => ((keys[a] ?? 0) < (keys[b] ?? 0) ? -1 : (keys[a] ?? 0) > (keys[b] ?? 0) ? 1 : a - b));
+  return rows.sort((a, b) => ((keys[a] ?? 0) < (keys[b] ?? 0) ? -1 : (keys[a] ?? 0) > (keys[b] ?? 0) ? 1 : a - b));
 }
 
-function keptRows(count: number, keep: (row: number) => boolean): Uint32Array {
-  const rows = new Uint32Array(count);
+/** Those of the rows that are kept, in their order. */
+export function keptOf(rows: Uint32Array, keep: (row: number) => boolean): Uint32Array {
+  const kept = new Uint32Array(rows.length);
   let length = 0;
-  for (let row = 0; row < count; row++) if (keep(row)) rows[length++] = row;
-  return rows.subarray(0, length);
+  for (const row of rows) if (keep(row)) kept[length++] = row;
+  return kept.subarray(0, length);
 }
 
 /** Tells the rows that meet all conditions; null where there is no condition. What has no number meets no limits. */
@@ -77,13 +77,17 @@ export function keeping(columns: readonly Column[], filter: Filter): ((row: numb
       },
     ];
   });
-  return tests.length === 0 ? null : (row) => tests.every((test) => test(row));
+  const [only = null] = tests;
+  return tests.length < 2 ? only : (row) => tests.every((test) => test(row));
 }
 
 /** Of each row 1 where it meets all conditions; null where there is no condition. */
 export function maskOf(count: number, columns: readonly Column[], filter: Filter): Uint8Array | null {
   const meets = keeping(columns, filter);
-  return meets === null ? null : Uint8Array.from({ length: count }, (_, row) => Number(meets(row)));
+  if (meets === null) return null;
+  const mask = new Uint8Array(count);
+  for (let row = 0; row < count; row++) mask[row] = Number(meets(row));
+  return mask;
 }
 
 const NUMBER = String.raw`[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?`;
