@@ -2743,7 +2743,7 @@ export interface MatchOptions {
     refine: Refinement | null;
     /**
      * Points without a match are matched by least squares from where the matches around them predict them, if they lie near their
-     * epipolar lines.
+     * epipolar lines. Matches that it does not confirm are rejected where confirmed ones around them lead elsewhere.
      */
     fill_in: boolean;
     /**

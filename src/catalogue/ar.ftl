@@ -273,8 +273,8 @@ file-fault-camera-model = ‏{ $model } بعدد { $parameters } من المعا
 file-fault-zero-quaternion = الرباعي صفر
 file-fault-after-name = ‏'{ $word }' بعد الاسم
 file-fault-no-features = سطر نقاطه ناقص
-file-fault-no-project = ‏'{ $line }' ليس السطر الأول من مشروع، أو هو السطر الوحيد
-file-fault-no-header = ‏'{ $line }' ليس السطر الأول من مشروع ({ $json_fault })
+file-fault-no-project = ليس مشروعًا من Tiepoint: سطره الأول '{ $line }'
+file-fault-no-header = ليس مشروعًا من Tiepoint: سطره الأول '{ $line }' ({ $json_fault })
 file-fault-other-format = صيغته '{ $format }' وليست '{ $wanted }'
 file-fault-other-version = هو من الإصدار { $version }؛ يقرأ هذا البرنامج الإصدارات من 1 إلى { $newest }
 file-fault-other-length = يلي السطر الأول { $bytes } بايت، وهو يعلن عن { $declared }: الملف مبتور أو غُيّر
@@ -1053,8 +1053,8 @@ verdict-border = مرفوضة: يقع أفضل المواضع على حد ناف
     .label = الحد
 verdict-left-right = مرفوضة: عند المطابقة من الصورة اليمنى رجوعًا يشبهها موضع آخر في الصورة اليسرى أكثر.
     .label = تحقق اليسار واليمين
-verdict-not-converged = مرفوضة: لا تتقارب المطابقة بالمربعات الصغرى ضمن حدودها للشكل والبعد والتكرارات.
-    .label = لم تتقارب
+verdict-not-converged = مرفوضة: لا تؤكدها المطابقة بالمربعات الصغرى ضمن حدودها للشكل والبعد والتكرارات؛ أو لا تؤكد مطابقة واصفها، وتدل المطابقات المؤكدة حولها على موضع آخر.
+    .label = غير مؤكدة
 verdict-imprecise = مرفوضة: الخطأ المعياري لموضعها الأيمن كبير، كما على حافة تنزلق عليها.
     .label = غير دقيقة
 verdict-frame = مرفوضة: لها الموضع نفسه في الإطارين، كحد الفيلم والعلامات الإطارية وشرائط البيانات.
@@ -1124,7 +1124,11 @@ not-linked-contradiction = تناقضها نقاط الضبط الأرضية. ت
 not-linked-failed = { $failure }
 
 # Why an image has no place on an orthophoto.
-not-placed-no-common-place = من { $matches } من النقاط التي تشبه مواضع في الصورة المصححة يتفق { $agreeing } على موضع واحد، كما تشاء المصادفة
+not-placed-no-common-place =
+    { $matches ->
+        [0] لا تشبه أي نقطة موضعًا في الصورة المصححة
+       *[other] من { $matches } من النقاط التي تشبه مواضع في الصورة المصححة يتفق { $agreeing } على موضع واحد، كما تشاء المصادفة
+    }
 not-placed-no-orientation = تتفق { $points } من النقاط على موضع، ولا يوافقها توجيه للصورة: قد تكون الكاميرا خاطئة أو الارتفاعات
 not-placed-not-confirmed = تقع { $agreeing } من { $links } من النقاط حيث يضعها التوجيه الذي وُجد، كما تشاء المصادفة
 not-placed-failed = { $failure }
@@ -1172,7 +1176,11 @@ error-wrong-type =
 error-invalid-argument = { $what }: القيمة المعطاة { $got }؛ المسموح: { $wanted }
 refusal-value = { $input }: أُعطي { $value } في { $location }؛ المسموح: من { $low } إلى { $high }
 refusal-parameter = { $input }: أُعطي { $value } في { $field } من { $location }؛ المسموح: من { $low } إلى { $high }
-refusal-index = { $input }: أُعطي الرقم { $index }؛ المسموح: أرقام دون { $count }
+refusal-index =
+    { $input }: أُعطي الرقم { $index }؛ المسموح: { $count ->
+        [0] لا شيء، إذ لا يوجد منها شيء
+       *[other] أرقام دون { $count }
+    }
 refusal-below = { $input }: أُعطي { $index }؛ المسموح: ما دون { $count }
 refusal-index-as = { $input }: أُعطي { $index } في { $location }؛ المسموح: من 0 إلى { $last }
 refusal-nothing-as = { $input }: أُعطي { $index } في { $location }؛ المسموح: لا شيء، إذ لا يوجد منها شيء

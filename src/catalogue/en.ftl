@@ -283,8 +283,8 @@ file-fault-camera-model = { $model } with { $parameters } parameters; allowed: S
 file-fault-zero-quaternion = the quaternion is zero
 file-fault-after-name = '{ $word }' after the name
 file-fault-no-features = the line of its points is missing
-file-fault-no-project = '{ $line }' is not the first line of a project, or the only one
-file-fault-no-header = '{ $line }' is not the first line of a project ({ $json_fault })
+file-fault-no-project = it is no project of Tiepoint: its first line is '{ $line }'
+file-fault-no-header = it is no project of Tiepoint: its first line is '{ $line }' ({ $json_fault })
 file-fault-other-format = its format is '{ $format }', not '{ $wanted }'
 file-fault-other-version = it is of version { $version }; this program reads versions 1 to { $newest }
 file-fault-other-length = { $bytes } bytes follow the first line, which declares { $declared }: the file is cut off or was changed
@@ -305,7 +305,11 @@ interruption-refinement = the observations of { $name } cannot be refined: { $fa
 # General.
 refusal-value = { $input }: got { $value } in { $location }; allowed: { $low } to { $high }
 refusal-parameter = { $input }: got { $value } in { $field } of { $location }; allowed: { $low } to { $high }
-refusal-index = { $input }: got index { $index }; allowed: indices below { $count }
+refusal-index =
+    { $input }: got index { $index }; allowed: { $count ->
+        [0] none, since there are none
+       *[other] indices below { $count }
+    }
 refusal-below = { $input }: got { $index }; allowed: below { $count }
 refusal-index-as = { $input }: got { $index } as { $location }; allowed: 0 to { $last }
 refusal-nothing-as = { $input }: got { $index } as { $location }; allowed: none: there are none
@@ -967,7 +971,7 @@ degeneracy-pure-rotation = No base that can be told (pure rotation): within the 
 
 warning-plane = All points lie in a plane within their precision: a second orientation fits nearly as well (its σ0 is { FIXED($ratio, digits: 2) } times as large; from { FIXED($least, digits: 2) } it is excluded).
 warning-clustered = The points cover a small part of the photo (root mean square { FIXED($coverage, digits: 2) } focal lengths from their middle; at least { $least } is sound).
-warning-rotation = The photos hardly differ but by a rotation: the base is too short to be distinguished from noise and distortion (parallax { SIGNIFICANT($parallax_deg, digits: 2) }°; at least { SIGNIFICANT($least_deg, digits: 2) }° is sound).
+warning-rotation = The photos differ by little more than a rotation: the base is too short to be distinguished from noise and distortion (parallax { SIGNIFICANT($parallax_deg, digits: 2) }°; at least { SIGNIFICANT($least_deg, digits: 2) }° is sound).
 warning-ill-conditioned = The unknowns are hardly separable, as over a critical cylinder (condition { POWER($condition, digits: 1) }; up to { POWER($most, digits: 0) } is sound).
 warning-unchecked = { $observations } observations hardly check each other: a gross error in one of them is not found unless it is very large, nor do the standard errors show it. Measure more points.
 warning-identical =
@@ -1002,8 +1006,8 @@ warning-other-pixels = The { $side } image was resized or cropped: its EXIF data
 warning-similarity-alone = The images hardly differ by more than a shift, a turn and a scale, as parts of one image do and level photos over flat ground may: where they are parts of one image, the orientation is wrong.
 warning-exact = σ0 is { SIGNIFICANT($sigma0_px, digits: 1) } px, as of parts of one image; two photographs do not agree to better than { $least_px } px.
 warning-wide-angle = The points reach far from the axis for their focal length (root mean square { FIXED($coverage, digits: 2) } focal lengths from their middle; up to { $most } is common): is the focal length too short?
-warning-uncertain = The rotation is known to ±{ SIGNIFICANT($half_width_deg, digits: 2) }° only (95 %); up to ±{ $most_deg }° is sound.
-warning-uncertain-base = The direction of the base is known to ±{ SIGNIFICANT($half_width_deg, digits: 2) }° only (95 %); up to ±{ $most_deg }° is sound.
+warning-uncertain = The rotation is known to ± { SIGNIFICANT($half_width_deg, digits: 2) }° only (95 %); up to ± { $most_deg }° is acceptable.
+warning-uncertain-base = The direction of the base is known to ± { SIGNIFICANT($half_width_deg, digits: 2) }° only (95 %); up to ± { $most_deg }° is acceptable.
 warning-imprecise = σ0 is { FIXED($sigma0_px, digits: 1) } px; matching reaches { FIXED($most_px, digits: 1) } px where the camera and its distortion are right. The intervals may not hold.
 warning-coarse = σ0 is { SIGNIFICANT($sigma0_um, digits: 2) } µm, where measuring reaches { SIGNIFICANT($most_um, digits: 2) } µm at this focal length: many of the observations are grossly wrong and no test tells which, or the focal length is in another unit.
 warning-focal-length = The residuals ask for a focal length that differs by { FIXED($change_percent, digits: 2) } % ({ FIXED($w, digits: 1) } standard errors), which would move the result out of its 95 % intervals.
@@ -1579,8 +1583,8 @@ verdict-border = Rejected: the best position lies on the border of its search wi
     .label = Border
 verdict-left-right = Rejected: matched from the right image back, another position in the left image is more similar.
     .label = Left-right check
-verdict-not-converged = Rejected: least squares matching does not converge within its limits of shape, distance and iterations.
-    .label = Not converged
+verdict-not-converged = Rejected: least squares matching does not confirm it within its limits of shape, distance and iterations; or it does not confirm the match of its descriptor, and confirmed matches around it lead elsewhere.
+    .label = Not confirmed
 verdict-imprecise = Rejected: the standard error of its right position is too large, as on an edge along which it can slide.
     .label = Imprecise
 verdict-frame = Rejected: it has the same position in both frames, as the border of the film, fiducial marks and data strips have.
@@ -1650,7 +1654,11 @@ not-linked-contradiction = the ground control points contradict it. The orthopho
 not-linked-failed = { $failure }
 
 # Why an image has no place on an orthophoto.
-not-placed-no-common-place = of { $matches } points that resemble places of the orthophoto, { $agreeing } agree on one place, as chance would have it
+not-placed-no-common-place =
+    { $matches ->
+        [0] no point resembles a place of the orthophoto
+       *[other] of { $matches } points that resemble places of the orthophoto, { $agreeing } agree on one place, as chance would have it
+    }
 not-placed-no-orientation = { $points } points agree on a place, and no orientation of the image fits them: the camera may be wrong, or the heights
 not-placed-not-confirmed = { $agreeing } of { $links } points lie where the orientation that was found has them, as chance would have it
 not-placed-failed = { $failure }

@@ -1,5 +1,6 @@
 //! Where the nearest matches foretell that a left position is seen.
 
+use super::neighbours::Neighbours;
 use crate::math::median;
 
 /// The affine map of neighbouring matches about a left position.
@@ -62,6 +63,28 @@ impl LocalMap {
         };
         let scatter_px = median(&mut matches.iter().map(distance).collect::<Vec<f64>>())?;
         ((AREA[0]..=AREA[1]).contains(&area) && scatter_px <= LARGEST_SCATTER_PX).then_some(Self { place, affine, scatter_px })
+    }
+}
+
+/// Matches that foretell what lies about them: left positions, and where they are seen.
+pub(super) struct Foretelling<'m> {
+    neighbours: Neighbours<'m>,
+    left: &'m [[f64; 2]],
+    right: &'m [[f64; 2]],
+}
+
+impl<'m> Foretelling<'m> {
+    pub fn new(left: &'m [[f64; 2]], right: &'m [[f64; 2]]) -> Self {
+        Self { neighbours: Neighbours::new(left), left, right }
+    }
+
+    /// The map of those that are nearest to a left position: of the others, where a match starts there.
+    pub fn about(&self, position: [f64; 2]) -> Option<LocalMap> {
+        let mut near = Vec::new();
+        self.neighbours.nearest_to(position, LocalMap::NEIGHBOURS, |other| self.left[other] != position, &mut near);
+        // Sums are the same in one order only.
+        near.sort_unstable();
+        LocalMap::about(position, near.iter().map(|n| (self.left[*n], self.right[*n])))
     }
 }
 

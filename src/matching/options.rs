@@ -86,7 +86,7 @@ options! {
             acts "matching.strategy is not least-squares";
 
         /// Points without a match are matched by least squares from where the matches around them predict them, if they lie near their
-        /// epipolar lines.
+        /// epipolar lines. Matches that it does not confirm are rejected where confirmed ones around them lead elsewhere.
         fill_in: bool = true, "Fill in", acts "matching.strategy is auto, gradient and matching.refine is least-squares, where-possible";
 
         /// Once the pair is oriented, it is matched again near the epipolar lines, until nothing changes; this needs a camera. Gradient always

@@ -27,7 +27,8 @@ messages! {
         Border,
         /// The right window correlates better with another place in the left image, or the right descriptor is nearer to another left one.
         LeftRight,
-        /// Least squares matching does not converge, or leaves the place from where it started.
+        /// Least squares matching does not converge, or leaves the place from where it started; or it does not confirm a match, and confirmed ones around it lead
+        /// elsewhere.
         NotConverged,
         /// The standard error of the right position exceeds the largest one allowed.
         Imprecise,

@@ -211,7 +211,7 @@ pub(super) const FORMATS: [(&str, Format); 8] = [
     ("FIXED", fixed),
     ("AMOUNT", |value, digits| format!("{:.digits$}", value.abs())),
     ("SIGNIFICANT", significant),
-    ("POWER", |value, digits| format!("{value:.digits$e}")),
+    ("POWER", power),
     ("PERCENT", |value, digits| format!("{:.digits$} %", 100.0 * value)),
     ("SIGN", |value, _| if value < 0.0 { "minus".into() } else { "plus".into() }),
 ];
@@ -223,6 +223,11 @@ fn fixed(value: f64, digits: usize) -> String {
         Some(zero) if zero.bytes().all(|byte| matches!(byte, b'0' | b'.')) => zero.into(),
         _ => text,
     }
+}
+
+/// Numbers of people's everyday as they write them.
+fn power(value: f64, digits: usize) -> String {
+    if (0.01..1000.0).contains(&value.abs()) { significant(value, digits + 1) } else { format!("{value:.digits$e}") }
 }
 
 fn significant(value: f64, digits: usize) -> String {

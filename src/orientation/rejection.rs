@@ -119,8 +119,8 @@ fn clean_by(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Result
     }
     let is_all = accepted.iter().all(|kept| *kept);
     match by_residuals(observed, accepted, start.model, limits, number) {
-        // All together have no orientation, and no part of them agrees well enough to be one.
-        Err(Error::NotConverged { .. }) if is_all => Err(weak_support(number - disagreeing, observed)),
+        // All together have no orientation, and no part of them agrees well enough to be one. Where all agree, it is the iteration that fails.
+        Err(Error::NotConverged { .. }) if is_all && disagreeing > 0 => Err(weak_support(number - disagreeing, observed)),
         found => {
             let found = found?;
             let in_doubt = if number <= FEW { contradicting(observed, &found.accepted, start, limits) } else { None };

@@ -1,4 +1,4 @@
-/** Photographs whose recorded positions do not settle the rotation of their block. */
+/** Blocks of photographs that do not settle easily. */
 
 import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
@@ -8,6 +8,7 @@ import { DATA } from '../../tools/lib/paths.mjs';
 import { folder, json } from './command.js';
 
 const STRIP = join(DATA, 'block_caliterra');
+const OBLIQUE = join(DATA, 'oblique_lewis');
 
 /** The angle in degrees between the vertical and the mean direction of the camera axes in a table of images, whose angles are ω, φ and κ. */
 function meanTiltDeg(/** @type {string} */ csv) {
@@ -61,4 +62,14 @@ test('one strip is oriented where its poor recorded positions do not settle', { 
   assert.ok(model.in_system && model.warnings.some((/** @type {{ kind: string }} */ { kind }) => kind === 'levelled'), JSON.stringify(model));
   const tilt = meanTiltDeg(readFileSync(join(out, 'images.csv'), 'utf8'));
   assert.ok(tilt < 3, `${tilt}°`);
+});
+
+test('a block of two oblique images settles though their weights follow each other back and forth', {
+  skip: existsSync(OBLIQUE) ? false : `${OBLIQUE} is absent`,
+}, () => {
+  const photos = ['img_4346.jpg', 'img_4348.jpg'].map((name) => join(OBLIQUE, name));
+  const { orientation } = json('block', ...photos, '--gps', 'ignore', '--out', folder(), '--workers', '2');
+  assert.equal(orientation.oriented, 2, JSON.stringify(orientation));
+  const [model] = orientation.models;
+  assert.ok(model.sigma0_px < 0.5, JSON.stringify(model));
 });

@@ -64,7 +64,7 @@ test('bytes are taken as the language has them, of whatever window, and nothing 
   ]))
     refused(() => Photo.decode(any(given)), new RegExp(`^file of the image: got ${name}; allowed: Uint8Array, Uint8ClampedArray or ArrayBuffer$`));
   refused(() => FinishedBlock.open(any(5)), /^file of the project: got number; allowed: string, Uint8Array, Uint8ClampedArray or ArrayBuffer$/);
-  refused(() => FinishedBlock.open('project.tiepoint'), /'project\.tiepoint' is not the first line of a project/, 'unreadable-file');
+  refused(() => FinishedBlock.open('project.tiepoint'), /it is no project of Tiepoint: its first line is 'project\.tiepoint'/, 'unreadable-file');
   refused(() => sha256(any([1, 2])), /^bytes: got Array; allowed/);
   refused(
     () => OrthophotoReference.open(any(new DataView(PNG.slice().buffer))),

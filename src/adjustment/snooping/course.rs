@@ -46,6 +46,8 @@ pub(super) struct Course<'a> {
     pub state: State,
     /// Standard error of a coordinate as the last round saw it, by which rays are judged; 0 at first.
     pub sigma: f64,
+    /// How it changed last, where weights alone changed it.
+    pub sigma_change: f64,
     /// σ₀ of the rays once none was left to reject: from then on it weighs what has a stated standard error.
     pub sigma0: Option<f64>,
     /// How often it was found to be another, since anything else changed last.
@@ -86,6 +88,7 @@ impl<'a> Course<'a> {
             rays_at_start: 0,
             unstated_at_start: 0,
             sigma: 0.0,
+            sigma_change: 0.0,
             sigma0: None,
             weighings: 0,
             iterations: 0,
@@ -130,11 +133,16 @@ impl<'a> Course<'a> {
         (self.nearby, self.orientations) = (None, None);
     }
 
-    /// The standard error of a ray that weights what has a stated standard error. The median is the one that gross errors hardly raise; where none are
-    /// left it is too small, since errors of real matches have longer tails than the normal distribution.
+    /// The standard error of a ray by which what has a stated one is judged, and weighted where it is known. The median is the one that gross errors hardly raise;
+    /// where none are left it is too small, since errors of real matches have longer tails than the normal distribution.
+    pub fn ray_error(&self) -> f64 {
+        self.options.sigma0_px.or(self.sigma0).unwrap_or(self.sigma)
+    }
+
+    /// The same as it weights, where nothing is known of it yet too.
     pub fn weighted_by(&self) -> f64 {
-        let found = self.sigma0.unwrap_or(self.sigma);
-        self.options.sigma0_px.unwrap_or(if found > 0.0 { found } else { 1.0 })
+        let found = self.ray_error();
+        if found > 0.0 { found } else { 1.0 }
     }
 
     /// The observed positions of images and points that take part.

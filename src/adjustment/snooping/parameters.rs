@@ -64,7 +64,7 @@ impl Course<'_> {
         if problem.columns.parameter.is_empty() {
             return Ok(false);
         }
-        let sigma = self.options.sigma0_px.or(self.sigma0).unwrap_or(self.sigma);
+        let sigma = self.ray_error();
         let found = self.worse_than(problem, limit_px, sigma, candidates)?;
         found.iter().for_each(|(column, effect)| self.fix(problem.columns.parameter[*column], *effect));
         Ok(!found.is_empty())

@@ -25,7 +25,7 @@ impl Course<'_> {
         }
         let (mut gnss, control) = observed(&self.block, self.options.datum, weighted_by);
         self.systematic.left_out.iter().for_each(|image| gnss[*image] = None);
-        let scale = Scale::of_tests(self.options.sigma0_px.or(self.sigma0).unwrap_or(self.sigma).max(LEAST_SIGMA_PX));
+        let scale = Scale::of_tests(self.ray_error().max(LEAST_SIGMA_PX));
         let judge = |(image, prior): (usize, &Option<Weighted>)| {
             let at = self.systematic.antenna(&self.state, image);
             prior.map(|prior| of_position(&prior, &at, Some(statistics.of_position(image)), scale, self.placed[image]))

@@ -325,7 +325,18 @@ impl<'a> Course<'a> {
             (.., true) => Unsettled::GrossErrors,
             _ => return Ok(None),
         };
+        self.settle_weights(round.sigma_before, what);
         Ok(Some(self.changed(round, what)))
+    }
+
+    /// Where weights alone change, and back and forth, those between come next: the residuals of a block that stated standard errors hold follow them
+    /// so closely that their median would never settle.
+    fn settle_weights(&mut self, sigma_before: f64, what: Unsettled) {
+        let change = if matches!(what, Unsettled::Weights) { self.sigma - sigma_before } else { 0.0 };
+        if change * self.sigma_change < 0.0 {
+            self.sigma = (self.sigma * sigma_before).sqrt();
+        }
+        self.sigma_change = change;
     }
 
     fn weights(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
