@@ -2,10 +2,10 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { request } from 'node:http';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { brotliDecompressSync, gunzipSync } from 'node:zlib';
@@ -69,6 +69,16 @@ test('programs that write where nothing is named print what they take, and write
   assert.match(run('single', 'a.html', 'b.html').stderr, /^got a\.html b\.html; allowed: one path/);
   assert.deepEqual(readdirSync(folder), []);
   rmSync(folder, { recursive: true });
+});
+
+test('how a picture is taken is told where the npm packages are not installed', () => {
+  const clone = mkdtempSync(join(tmpdir(), 'tiepoint-clone-'));
+  const tools = fileURLToPath(new URL('../tools', import.meta.url));
+  cpSync(tools, join(clone, 'tools'), { recursive: true, filter: (path) => basename(path) !== 'node_modules' });
+  const { status, stdout, stderr } = spawnSync(process.execPath, [join(clone, 'tools', 'picture.mjs'), '--help'], { encoding: 'utf8' });
+  assert.deepEqual([status, stderr], [0, '']);
+  assert.match(stdout, /^npm run picture/);
+  rmSync(clone, { recursive: true });
 });
 
 test('what it takes is printed, and said of an option that it does not know', () => {

@@ -22,9 +22,17 @@ const README = join(ROOT, 'pkg', 'README.md');
 /** Where the links of the README lead, in the checkout and in the package. */
 const LINKS = ['](../docs/', '](docs/'];
 
-/** A link to what is not packed becomes its text.  @param {string} text */
+/** The command as the documents call it, and as it is called where the package is installed. */
+const [COMMAND, INSTALLED] = ['node pkg/bin/tiepoint.js', 'npx tiepoint'];
+
+/** What stands below the title of documents with such commands. */
+const NOTE = "Commands that begin with `npm run` or `cargo run` need the project's own repository.";
+
+/** A link to what is not packed becomes its text, and commands are those of the installed package.  @param {string} text */
 const within = (text) =>
-  text.replace(/\[([^\]]+)\]\(([^)#\s]+\.(?:md|html|png))(?:#[^)]*)?\)/g, (link, words, file) => (DOCUMENTS.includes(file) ? link : words));
+  (/`(?:npm|cargo) run /.test(text) ? text.replace('\n', `\n\n${NOTE}\n`) : text)
+    .replace(/\[([^\]]+)\]\(([^)#\s]+\.(?:md|html|png))(?:#[^)]*)?\)/g, (link, words, file) => (DOCUMENTS.includes(file) ? link : words))
+    .replaceAll(COMMAND, INSTALLED);
 
 const { values } = parseArgs({ options: { remove: { type: 'boolean' }, help: { type: 'boolean', short: 'h' } } });
 if (values.help) console.log(USAGE);

@@ -2,7 +2,6 @@
 /** `npm run picture`: the picture of the README, docs/page.png: the page in Chromium with the sample pair matched and oriented. */
 
 import { join } from 'node:path';
-import { chromium } from 'playwright-core';
 import { servePage } from './lib/page-server.mjs';
 import { ROOT } from './lib/paths.mjs';
 import { ensureChromium } from './lib/setup.mjs';
@@ -17,6 +16,8 @@ Takes docs/page.png, the picture of the README, in Chromium.
 
 namedOrUsage(USAGE, 0);
 
+// What only a picture needs: the help is given without the npm packages, too.
+const { chromium } = await import('playwright-core');
 const { path, reason } = await ensureChromium();
 if (path === null) throw new Error(reason);
 const server = await servePage();

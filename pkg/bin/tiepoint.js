@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 // @ts-check
-/** The `tiepoint` command. Exit codes: 0 done, 1 bad data, 2 a usage error; of match, block, edit and place also 3 weak, 4 not oriented. */
+/** The `tiepoint` command. Exit codes: 0 done, 1 bad data, 2 a usage error; of match, orient, report, block, edit and place also 3 weak, 4 not oriented. */
 
 import { reasonOf } from '../command/files.js';
 import { main } from '../command/main.js';

@@ -3,6 +3,7 @@ import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { runBlock } from '../block/index.js';
 import {
+  acting_block_parameters,
   block_parameters,
   block_settings,
   check_block_truth,
@@ -13,14 +14,17 @@ import {
   parse_image_measurements,
   positions_of_images,
 } from '../node.js';
+import { noteNotActing } from './acting.js';
 import { BlockFolder, formatsOf } from './block-folder.js';
 import { about, DataError, UsageError } from './errors.js';
 import { exists, imagesIn, isFile, isFolder, readText, reasonOf } from './files.js';
 import { FolderStore } from './folder-store.js';
+import { checkCrs } from './ground.js';
 import { noteElsewhere, onOrthophoto, ORTHOPHOTO_OPTIONS, orthophotoOf } from './on-orthophoto.js';
 import { BLOCK_NAMES, DEFAULT_WORKERS, JSON_FLAG, LANGUAGE, languageOf, list, optionsOf, path, settingsOf, word, WORKERS } from './options.js';
 import { ThreadPool } from './pool.js';
 import { Progress } from './progress.js';
+import { truthFile } from './truth.js';
 
 /**
  * @typedef {import('./args.js').Call} Call
@@ -66,8 +70,8 @@ export const block = {
     ),
     path(
       'truth',
-      'truth.json',
-      'Scores the block by the truth of a simulated flight, after a similarity of the whole block onto it: where and how large it is as a whole does not count.',
+      'FILE',
+      'truth.json of a simulated flight, or its folder: the block is scored by it, after a similarity of the whole block onto it: where and how large it is as a whole does not count.',
     ),
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
     LANGUAGE,
@@ -90,7 +94,9 @@ async function run(call) {
   const out = values.get('out');
   if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the files');
   const sources = sourcesOf(call.positionals);
+  checkCrs(values);
   const settings = settingsOf(OPTIONS, values, block_settings({}));
+  noteNotActing(OPTIONS, values, acting_block_parameters(settings));
   const formats = formatsOf(values);
   const cameras = values.get('cameras');
   const options = {
@@ -103,8 +109,9 @@ async function run(call) {
     ...positionsOf(values),
     onOrthophoto: values.has('orthophoto'),
   };
-  const truth = values.get('truth');
-  const known = typeof truth === 'string' ? truthOf(truth) : null;
+  const simulated = values.get('truth');
+  const truth = typeof simulated === 'string' ? truthFile(simulated) : null;
+  const known = truth === null ? null : truthOf(truth);
   // What can be refused before anything is computed.
   const names = sources.map(({ name }) => name);
   if (known) about(String(truth), () => check_block_truth(known, names));

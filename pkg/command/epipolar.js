@@ -4,8 +4,8 @@ import { join } from 'node:path';
 import { EpipolarPair } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
 import { isFolder, makeFolder, readBytes, writeInto } from './files.js';
-import { path } from './options.js';
-import { print } from './output.js';
+import { JSON_FLAG, path } from './options.js';
+import { print, printJson } from './output.js';
 
 /** @type {import('./args.js').Command} */
 export const epipolar = {
@@ -16,10 +16,11 @@ export const epipolar = {
     path('out', 'DIR', 'The folder for what is written; required.'),
     path('left', 'NAME', 'The left image; with --right. By default the one from which the base goes to the right.'),
     path('right', 'NAME', 'The right image; with --left.'),
+    JSON_FLAG,
   ],
   details:
     'PROJECT is the project.tiepoint of a pair or a block, FOLDER that of its images. Of a block the two images with most points in common are taken, unless two are named; points whose rays are nearly parallel count less. It writes left.png and right.png, in the colours of their files, ' +
-    'without distortion, of one size and focal length; anaglyph.png, both in one for red-cyan glasses; and epipolar.json, how they lie, with the residual y-parallax of the points that both show.',
+    'without distortion, of one size and focal length; anaglyph.png, both in one for red-cyan glasses; and epipolar.json, how they lie, with the residual y-parallax of the points that both show. JSON: files, and what epipolar.json holds.',
   run,
 };
 
@@ -49,9 +50,13 @@ async function run({ positionals: [project = '', folder = ''], values }) {
     ['anaglyph.png', files.anaglyph],
     ['epipolar.json', files.parameters],
   ];
-  for (const [name, content] of all) print(`written: ${writeInto(out, name, content)}`);
+  const written = all.map(([name, content]) => writeInto(out, name, content));
+  if (values.has('json')) {
+    printJson({ files: written, ...JSON.parse(files.parameters) });
+    return 0;
+  }
   const { width_px: width, height_px: height, parallaxes } = pair.geometry;
   const told = parallaxes && `; residual y-parallax of ${parallaxes.points} points: ${parallaxes.y_rms_px.toFixed(2)} px RMS`;
-  print(`${pair.names.join(' and ')}: ${width} x ${height} px${told ?? ''}`);
+  print(...written.map((file) => `written: ${file}`), `${pair.names.join(' and ')}: ${width} x ${height} px${told ?? ''}`);
   return 0;
 }

@@ -41,6 +41,19 @@ export function about(path, call) {
 }
 
 /**
+ * Calls the crate with what an option gives; its refusals then name the option and are usage errors.
+ * @template T @param {string} name @param {() => T} call @returns {T}
+ */
+export function ofOption(name, call) {
+  try {
+    return call();
+  } catch (error) {
+    if (isRefusal(error)) throw new UsageError(`--${name}: ${error.message}`);
+    throw error;
+  }
+}
+
+/**
  * The line and the exit code of an error.
  * @param {unknown} error @param {(message: string) => string} rename gives settings their option names
  * @returns {{ line: string, code: 1 | 2 }}

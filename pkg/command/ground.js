@@ -3,10 +3,10 @@
 
 import { statSync } from 'node:fs';
 import { basename, dirname, extname, join } from 'node:path';
-import { image_position, OrthophotoReference, positions_of_images, remarks_of_positions } from '../node.js';
-import { about, DataError, UsageError } from './errors.js';
+import { block_settings, image_position, OrthophotoReference, placing_defaults, positions_of_images, remarks_of_positions } from '../node.js';
+import { about, DataError, ofOption, UsageError } from './errors.js';
 import { filesIn, inParts, isFile, isFolder, readText } from './files.js';
-import { path, valueOption } from './options.js';
+import { checkTogether, path, settingsOf, valueOption } from './options.js';
 
 /** @typedef {import('../node.js').Given<import('../node.js').Sidecars>} Sidecars */
 /** @typedef {{ file: string | undefined, heights: Uint8Array | import('../node.js').FileInParts | number, sidecars: Sidecars }} Ground `file`: where the heights come from */
@@ -32,6 +32,24 @@ export function groundOf(values) {
   if (typeof file === 'string' && level !== undefined) throw new UsageError('--heights and --level are both given; allowed: one of them');
   if (typeof file === 'string') return { file, heights: inParts(file), sidecars: sidecarsOf(file) };
   return level === undefined ? null : { file: undefined, heights: Number(level), sidecars: {} };
+}
+
+/**
+ * The settings of placing on an orthophoto.
+ * @param {readonly import('./options.js').Option[]} options that stand for them @param {import('./args.js').Call['values']} values
+ */
+export function placingOf(options, values) {
+  checkTogether(values, [
+    ['near-x', 'near-y'],
+    ['near-y', 'near-x'],
+  ]);
+  return settingsOf(options, values, placing_defaults());
+}
+
+/** Refuses a coordinate system that cannot be read.  @param {import('./args.js').Call['values']} values */
+export function checkCrs(values) {
+  const crs = values.get('crs');
+  if (typeof crs === 'string') ofOption('crs', () => block_settings({ placing: { crs } }));
 }
 
 /**

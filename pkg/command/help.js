@@ -18,7 +18,10 @@ export function overview(commands) {
     ...commands.map((c) => `  ${c.name.padEnd(13)}${c.summary}`),
     '',
     wrap('With --json a command prints one JSON object in full precision. Pixels: the centre of the top-left pixel is at (0.5, 0.5).', WIDTH),
-    'Exit codes: 0 done, 1 bad data, 2 usage error; of match, block, edit and place also 3 done with a weak orientation,\n4 done without one.',
+    wrap(
+      'Exit codes: 0 done, 1 bad data, 2 usage error; of match, orient, report, block, edit and place also 3 done with a weak orientation, 4 done without one.',
+      WIDTH,
+    ),
   ].join('\n');
 }
 

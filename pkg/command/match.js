@@ -1,7 +1,19 @@
 // @ts-check
 import { withText } from '../messages.js';
 import { cameraWanted } from '../pair/camera-wanted.js';
-import { defaults, matches_csv, message, pair_hint, pair_preset, pair_presets, photo_difference, points_csv, resolved, write_pair_project } from '../node.js';
+import {
+  acting_parameters,
+  defaults,
+  matches_csv,
+  message,
+  pair_hint,
+  pair_preset,
+  pair_presets,
+  photo_difference,
+  points_csv,
+  resolved,
+  write_pair_project,
+} from '../node.js';
 import { noteNotActing } from './acting.js';
 import { checkSize } from './block-camera.js';
 import { VERDICT_CODES } from './errors.js';
@@ -59,7 +71,7 @@ export const match = {
     } = call;
     const { input, ofBlock } = inputOf(call);
     const settings = settingsOf(OPTIONS, values, presetOf(values.get('preset')));
-    noteNotActing(SETTING_OPTIONS, values, settings, `strategy ${resolved(settings).matching.strategy}`);
+    noteNotActing(SETTING_OPTIONS, values, acting_parameters(settings), `strategy ${resolved(settings).matching.strategy}`);
     const [out, truthPath] = [values.get('out'), values.get('truth')];
     const truth = typeof truthPath === 'string' ? readTruth(truthPath) : null;
     if (typeof out === 'string') makeFolder(out);

@@ -1,11 +1,12 @@
 // @ts-check
 import { dirname, join } from 'node:path';
+import { withText } from '../messages.js';
 import { check_heights, message, OrthoMosaic } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
 import { filesIn, isFolder, makeFolder, readBytes, writeInParts } from './files.js';
 import { GROUND_OPTIONS, groundOf } from './ground.js';
-import { path, valueOption } from './options.js';
-import { note, print } from './output.js';
+import { JSON_FLAG, path, valueOption } from './options.js';
+import { note, print, printJson } from './output.js';
 import { Progress } from './progress.js';
 
 /** @type {import('./args.js').Command} */
@@ -22,10 +23,11 @@ export const mosaic = {
     ),
     valueOption('gsd'),
     ...GROUND_OPTIONS,
+    JSON_FLAG,
   ],
   details:
     'PROJECT is the project.tiepoint of a block, FOLDER that of its images. Without heights the ground is that of the tie points. The mosaic has the colours of the images and at most 4000 MP, north up in the system of the block; its file is written tile by tile. Seams are not ' +
-    'balanced, and walls may show twice: the mosaic is for checking an orientation, and a reference for `tiepoint place`.',
+    'balanced, and walls may show twice: the mosaic is for checking an orientation, and a reference for `tiepoint place`. JSON: file, width_px, height_px, images (of which it is made), missing (that the folder has not), remark (on the heights, or null).',
   run,
 };
 
@@ -55,6 +57,7 @@ async function run({ positionals: [project = '', folder = ''], values }) {
   makeFolder(dirname(out));
   // In the order of the mosaic: the tiles that an image completes are written before the next one is read.
   const order = [...made.order()];
+  const [width_px, height_px] = made.size();
   const shown = new Progress({ steps: order.length + 1 });
   writeInParts(out, (append) => {
     for (const index of order.filter((index) => !files.has(names[index] ?? ''))) append(made.leave_out(index));
@@ -71,6 +74,9 @@ async function run({ positionals: [project = '', folder = ''], values }) {
     });
   });
   shown.end();
-  print(`written: ${out}`);
+  if (values.has('json')) {
+    const images = order.map((index) => names[index] ?? '').filter((name) => files.has(name));
+    printJson({ file: out, width_px, height_px, images, missing, remark: remark ? withText('remark', remark) : null });
+  } else print(`written: ${out}`);
   return 0;
 }

@@ -3,8 +3,8 @@
 
 import { BlockOnOrthophoto, message, placing_defaults, placing_parameters } from '../node.js';
 import { UsageError } from './errors.js';
-import { elsewhereOf, GROUND_OPTIONS, groundOf, NO_HEIGHTS, openReference, ORTHOPHOTO_HELP } from './ground.js';
-import { optionsOf, path, settingsOf } from './options.js';
+import { elsewhereOf, GROUND_OPTIONS, groundOf, NO_HEIGHTS, openReference, ORTHOPHOTO_HELP, placingOf } from './ground.js';
+import { optionsOf, path } from './options.js';
 import { note } from './output.js';
 import { Progress } from './progress.js';
 
@@ -39,7 +39,7 @@ export function orthophotoOf(values) {
   }
   const ground = groundOf(values);
   if (!ground) note(NO_HEIGHTS);
-  return openReference(file, ground, settingsOf(OPTIONS, values, placing_defaults()));
+  return openReference(file, ground, placingOf(OPTIONS, values));
 }
 
 /** Says before anything is matched that the orthophoto is of elsewhere.  @param {OrthophotoReference} reference @param {readonly string[]} images @param {import('./ground.js').Given} given */

@@ -207,7 +207,7 @@ export const ORIENTING_OPTIONS = PAIR.filter(({ key = '' }) => key === 'matching
 
 /**
  * Settings with what was given in their place.
- * @template {object} T @param {Option[]} options @param {Map<string, Value>} values @param {T} settings the defaults @returns {T}
+ * @template {object} T @param {readonly Option[]} options @param {ReadonlyMap<string, Value>} values @param {T} settings the defaults @returns {T}
  */
 export function settingsOf(options, values, settings) {
   for (const { name, path, negates } of options) {

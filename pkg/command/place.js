@@ -4,12 +4,12 @@ import { withText } from '../messages.js';
 import { check_cameras, message, parse_camera, placed_tables, placing_defaults, placing_parameters } from '../node.js';
 import { about, DataError, UsageError, VERDICT_CODES } from './errors.js';
 import { makeFolder, readBytes, readText, writeInto } from './files.js';
-import { checkTogether, flag, JSON_FLAG, optionsOf, pair, path, settingsOf } from './options.js';
+import { checkTogether, flag, JSON_FLAG, optionsOf, pair, path } from './options.js';
 import { note, print, printJson } from './output.js';
 import { marksOf } from './pair.js';
 import { Progress } from './progress.js';
 import { fixed, table } from './text.js';
-import { elsewhereOf, GROUND_OPTIONS, groundOf, NO_HEIGHTS, openReference, ORTHOPHOTO_HELP, positionsIn } from './ground.js';
+import { checkCrs, elsewhereOf, GROUND_OPTIONS, groundOf, NO_HEIGHTS, openReference, ORTHOPHOTO_HELP, placingOf, positionsIn } from './ground.js';
 
 /** @typedef {import('../node.js').PlacedImage} PlacedImage */
 
@@ -57,11 +57,12 @@ async function run({ positionals, values }) {
   if (positionals.length === 0) throw new UsageError('name the images that are to be placed');
   if (values.has('rectified') && typeof out !== 'string') throw new UsageError('--rectified needs --out, the folder that receives the pictures');
   refuseTwice(positionals, values.has('rectified') ? stemOf : basename);
-  const placing = settingsOf(OPTIONS, values, placing_defaults());
+  const placing = placingOf(OPTIONS, values);
   const film = filmOf(values, positionals);
   const cameras = camerasOf(values.get('cameras'), positionals);
   const ground = groundOf(values);
   checkTogether(values, [['crs', 'positions']]);
+  checkCrs(values);
   if (typeof out === 'string') makeFolder(out);
   const shown = new Progress({ steps: positionals.length + 3 });
   const reference = shown.step(`reading ${file}`, () => openReference(file, ground, placing));

@@ -1,5 +1,5 @@
 // @ts-check
-import { defaults, resolved } from '../node.js';
+import { acting_parameters, defaults, resolved } from '../node.js';
 import { noteNotActing } from './acting.js';
 import { readMask, readPhoto } from './files.js';
 import { groupOptions, JSON_FLAG, MASK, path, settingsOf } from './options.js';
@@ -29,7 +29,7 @@ export const points = {
     'JSON: width, height, threshold, counts (candidates, after_roundness, after_suppression) and points, each [x, y, value] in px; frames, each [scale in px, direction in rad], for points of many scales.',
   run({ positionals: [image = ''], values }) {
     const settings = { ...settingsOf(OPTIONS, values, defaults()), matching: { ...defaults().matching, strategy: STRATEGY } };
-    noteNotActing(SETTING_OPTIONS, values, settings, `operator ${resolved(settings).points.operator}`);
+    noteNotActing(SETTING_OPTIONS, values, acting_parameters(settings), `operator ${resolved(settings).points.operator}`);
     const progress = new Progress({ steps: 2 });
     const photo = progress.step('reading', () => readPhoto(image));
     const file = values.get('mask');

@@ -46,9 +46,12 @@ export function denseMap(rightPosition, rightWidth, rightHeight) {
   return { map, visible };
 }
 
+/** @param {string} path truth.json, or the folder that holds it @returns {string} the file */
+export const truthFile = (path) => (isFolder(path) ? join(path, 'truth.json') : path);
+
 /** @param {string} path truth.json, or the folder that holds it @returns {Truth} */
 export function readTruth(path) {
-  const file = isFolder(path) ? join(path, 'truth.json') : path;
+  const file = truthFile(path);
   const text = readText(file);
   /** @type {any} */
   let json;

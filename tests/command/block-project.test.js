@@ -2,13 +2,13 @@
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { test } from 'node:test';
 import { check_heights, FinishedBlock } from '../../pkg/node.js';
 import { contents, PAIRS, runOnce } from './blocks.js';
 import { file, folder, json, tiepoint } from './command.js';
 
-const { whole: WHOLE } = runOnce();
+const { whole: WHOLE, ran } = runOnce();
 
 test('a damaged project is refused plainly', () => {
   const path = join(WHOLE.out, 'project.tiepoint');
@@ -51,7 +51,9 @@ test('covariances of images and points of a project are written as a table', () 
   for (const [k, row] of rows.entries()) assert.ok(Math.abs(Number(row[5 + k]) / Number(row[4]) ** 2 - 1) < 1e-9);
   const whole = tiepoint('covariances', project, '--of', 'all', '--out', out);
   assert.equal(whole.code, 0, whole.stderr);
-  assert.ok(readFileSync(out, 'utf8').split('\n').length > 50);
+  const lines = readFileSync(out, 'utf8').trimEnd().split('\n');
+  assert.ok(lines.length > 50);
+  assert.deepEqual(json('covariances', project, '--of', 'all', '--out', out), { file: out, unknowns: lines.length - 1 });
   const refused = tiepoint('covariances', project, '--of', 'nobody.jpg', '--out', out);
   assert.ok(refused.code === 1 && /nobody\.jpg/.test(refused.stderr), refused.stderr);
   assert.match(tiepoint('covariances', project, '--out', out).stderr, /--of is missing/);
@@ -62,7 +64,17 @@ test('maps of the accuracy that is to be expected are written, and say what the 
   const out = folder();
   const { code, stdout, stderr } = tiepoint('accuracy', project, '--out', out);
   assert.equal(code, 0, stderr);
-  assert.match(stdout, /^standard error in height: \S+ in the median, \S+ at 95 % of the cells$/m);
+  assert.match(stdout, /^\d+ cells of \S+ m that two or more images show/m);
+  assert.match(stdout, /^standard error in height: \S+ m in the median, \S+ m at 95 % of the cells$/m);
+  const { files, unit, height, cells: number } = json('accuracy', project, '--out', out);
+  assert.deepEqual(
+    files.map((/** @type {string} */ path) => basename(path)),
+    ['plan.tif', 'height.tif', 'images.tif', 'accuracy.csv'],
+  );
+  assert.ok(unit === 'm' && stdout.includes(`${number} cells`) && stdout.includes(`height: ${height[0].toPrecision(3)} m in`), `${unit} ${height}`);
+  // A block without positions has no scale.
+  const free = json('accuracy', join(ran('--gps', 'ignore').out, 'project.tiepoint'), '--out', folder());
+  assert.equal(free.unit, null);
   const table = (/** @type {string} */ file) => {
     const [head = [], ...rows] = readFileSync(file, 'utf8')
       .trim()

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { contents, PAIRS, runOnce } from './blocks.js';
 import { file, folder, tiepoint } from './command.js';
@@ -47,7 +47,7 @@ test('the report is in the language that is asked for, and all other files are E
 });
 
 test('orientations and points are right by the truth', () => {
-  const { score } = ran('--truth', BLOCK.truthFile).summary;
+  const { score } = ran('--truth', dirname(BLOCK.truthFile)).summary;
   assert.equal(score.oriented, 6);
   assert.ok(score.points > 30 && score.right_points > 0.85 * score.points, JSON.stringify(score));
   assert.ok(score.angle_rmse_deg < 1, JSON.stringify(score));
@@ -57,6 +57,21 @@ test('orientations and points are right by the truth', () => {
   assert.match(call(file(folder(), 'none.json', '{"relative_orientation": {}}')).stderr, /none\.json: it is no truth of a block/);
   const strange = { ...BLOCK.truth, block: { ...BLOCK.truth.block, images: [] } };
   assert.match(call(file(folder(), 'strange.json', JSON.stringify(strange))).stderr, /strange\.json: .*none of the block's images/);
+  assert.match(call(BLOCK.photos).stderr, /truth\.json: there is no such file/);
+});
+
+test('options without effect beside the others are told, and a coordinate system that is none is a bad call', () => {
+  const call = (/** @type {string[]} */ ...more) => tiepoint(...BLOCK.call, '--out', half(), '--json', ...more);
+  const { code, stderr } = call('--pairs', 'all', '--near', '3', '--geoid-m', '5', '--least-matches', '16');
+  assert.deepEqual([code, stderr], [0, 'tiepoint: without effect with the other options: --near, --geoid-m\n']);
+  for (const [crs, why] of /** @type {const} */ ([
+    ['EPSG:99999', 'a code that is unknown here'],
+    ['no system', 'which cannot be read'],
+  ])) {
+    const refused = call('--crs', crs);
+    assert.deepEqual([refused.code, refused.stdout], [2, ''], refused.stderr);
+    assert.ok(refused.stderr.startsWith(`tiepoint: --crs: coordinate reference system: got ${crs}, ${why}`), refused.stderr);
+  }
 });
 
 test('each pair says why it is or is not connected', () => {

@@ -6,7 +6,7 @@ import { basename, join } from 'node:path';
 import { inflateSync } from 'node:zlib';
 import { test } from 'node:test';
 import { Photo } from '../../pkg/node.js';
-import { file, folder, image, samplePair, tiepoint } from './command.js';
+import { file, folder, image, json, samplePair, tiepoint } from './command.js';
 import { photographed } from './blocks.js';
 
 /** Epipolar images that the command made. */
@@ -115,8 +115,12 @@ test('epipolar images have the colours of their photos, and the anaglyph their g
     .map((word) => (/(?:left|right)\.png$/.test(word) ? join(coloured, basename(word).replace('.png', '.ppm')) : word));
   assert.ok([0, 3].includes(tiepoint(...ofColoured, '--out', out).code ?? 1));
   const made = folder();
-  const { code, stderr } = tiepoint('epipolar', join(out, 'project.tiepoint'), coloured, '--out', made);
-  assert.equal(code, 0, stderr);
+  const { files, ...parameters } = json('epipolar', join(out, 'project.tiepoint'), coloured, '--out', made);
+  assert.deepEqual(
+    files,
+    ['left.png', 'right.png', 'anaglyph.png', 'epipolar.json'].map((name) => join(made, name)),
+  );
+  assert.deepEqual(parameters, JSON.parse(readFileSync(join(made, 'epipolar.json'), 'utf8')));
   for (const side of ['left', 'right']) {
     const { width, pixels } = colours(join(made, `${side}.png`));
     let [shown, right] = [0, 0];

@@ -160,5 +160,6 @@ test('options of an orthophoto without one, and files that are none, are refused
   assert.match(refused('--level', '3'), /^2 .*--level needs --orthophoto/);
   assert.match(refused('--check-share', '0.1'), /^2 .*--check-share needs --orthophoto/);
   assert.match(refused('--orthophoto', join(OWN.photos, 'photo_00000.png')), /^1 [\s\S]*does not say where it lies/);
+  assert.match(refused(...OWN.ground, '--near-x', '5'), /^2 .*--near-x needs --near-y beside it/);
   assert.match(refused(...OWN.ground, '--check-share', '0.9'), /^2 .*--check-share is 0\.9; allowed: 0 to 0\.5/);
 });

@@ -114,7 +114,10 @@ test('an orthophoto without a place, one in degrees and other bad input are refu
   assert.match(refused(photo, '--orthophoto', photo), /^1 .*does not say where it lies.*world file/);
   assert.match(refused(photo, ...GROUND, '--level', '3'), /^2 .*--heights and --level/);
   assert.match(refused(photo, ...GROUND, '--rectified'), /^2 .*--rectified needs --out/);
-  assert.match(refused(photo, ...GROUND, '--near-x', '3'), /near_x and near_y|--near-x/);
+  assert.match(refused(photo, ...GROUND, '--near-x', '3'), /^2 .*--near-x needs --near-y beside it/);
+  assert.match(refused(photo, ...GROUND, '--near-y', '3'), /^2 .*--near-y needs --near-x beside it/);
+  const positions = file(at, 'positions.csv', 'image,x,y\n');
+  assert.match(refused(photo, ...GROUND, '--positions', positions, '--crs', 'EPSG:99999'), /^2 .*--crs: .*EPSG:99999, a code that is unknown/);
   const grid = file(at, 'heights.asc', 'ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\n1 2 3 4 5 6\n');
   assert.match(refused(photo, '--orthophoto', join(OWN.at, 'orthophoto.tif'), '--heights', grid), /^1 .*heights\.asc.*no cellsize/);
   const bytes = readFileSync(join(OWN.at, 'orthophoto.tif'));
@@ -223,12 +226,17 @@ test('a block becomes an orthomosaic, on which its photos are placed again', () 
     const colours = Buffer.from([...photo.grey()].flatMap((grey) => [grey, 255 - grey, 40]));
     writeFileSync(join(coloured, name), Buffer.concat([Buffer.from(`P6\n${photo.width} ${photo.height}\n255\n`), colours]));
   }
-  const made = tiepoint('mosaic', project, coloured, '--out', picture);
+  const made = tiepoint('mosaic', project, coloured, '--out', picture, '--json');
   assert.equal(made.code, 0, made.stderr);
+  const said = JSON.parse(made.stdout);
   assert.match(made.stderr, /has not photo_00002\.png/);
   const bytes = readFileSync(picture);
   const orthophoto = OrthophotoReference.open(bytes);
   const { width, height } = orthophoto.info();
+  assert.deepEqual(
+    { ...said, images: said.images.toSorted() },
+    { file: picture, width_px: width, height_px: height, images: names, missing: ['photo_00002.png'], remark: null },
+  );
   const pixels = orthophoto.colours(0, 0, width, height, 0);
   orthophoto.free();
   const shown = Array.from({ length: width * height }, (_, k) => pixels.subarray(4 * k, 4 * k + 4)).filter(([, , , alpha]) => alpha === 255);

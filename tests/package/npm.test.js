@@ -66,6 +66,19 @@ test('what a packed document links to is packed, and no copy of it stays beside 
   assert.equal(existsSync(join(PKG, 'docs')), false);
 });
 
+test('packed documents call the command as it is installed, and say of other commands that they need the repository', () => {
+  const home = join(work, 'documents');
+  mkdirSync(home);
+  run('tar', ['-xzf', join(work, pack?.filename ?? ''), '-C', home], work);
+  const documents = files.filter((file) => file.endsWith('.md')).map((file) => ({ file, text: readFileSync(join(home, 'package', file), 'utf8') }));
+  const named = (/** @type {RegExp} */ words) => documents.filter(({ text }) => words.test(text)).map(({ file }) => file);
+  assert.deepEqual(named(/pkg\/bin/), []);
+  assert.ok(named(/^npx tiepoint match /m).includes('docs/command.md'));
+  const ofRepository = named(/(?:npm|cargo) run /);
+  assert.ok(ofRepository.includes('docs/placing.md'), ofRepository.join(' '));
+  assert.deepEqual(ofRepository, named(/^# .+\n\nCommands that begin with `npm run` or `cargo run` need the project's own repository\.\n\n/));
+});
+
 test('the README of the package leads to the documents of the checkout too, and is as it was after it was packed', () => {
   const linked = [...README.matchAll(/\]\(([^)#\s]+)(?:#[^)]*)?\)/g)].map(([, link = '']) => link);
   assert.ok(linked.length > 8, linked.join(' '));
