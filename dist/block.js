@@ -769,6 +769,7 @@ var BLOCK_INITIAL = {
 	catalogue: null,
 	files: [],
 	removed: [],
+	skipped: [],
 	truth: null,
 	options: {
 		settings: null,
@@ -966,6 +967,10 @@ var medianGsd = remember((view, ground) => {
 function gsdOf(view, ground, image) {
 	return ground === null || systemOf(view, ground) === "own" ? null : numberOf(ground.gsd[image] ?? NaN);
 }
+var medianErrors = remember(({ points: { errors, taking } }) => {
+	const of = (error) => median(Array.from({ length: taking }, (_, point) => error(3 * point)).filter(Number.isFinite));
+	return [of((at) => Math.hypot(errors[at] ?? NaN, errors[at + 1] ?? NaN)), of((at) => errors[at + 2] ?? NaN)];
+});
 function median(values) {
 	const sorted = Float64Array.from(values).sort();
 	return sorted[Math.floor(sorted.length / 2)] ?? NaN;
@@ -5311,15 +5316,15 @@ var BesideFiles = class {
 		const { placing, files } = this.store.state;
 		return marksOfNone(placing.film, files).filter((name) => names.includes(name)).map((name) => say("marks-of-no-image", { name })).join(" ");
 	}
-	async tables(files, photos, here) {
+	async tables(given, photos, here) {
 		const names = new Set([...this.store.state.files, ...photos.map(({ file }) => file)].map(({ name }) => name));
 		const aside = [];
-		let count = 0;
-		for (const file of files) {
+		const files = new Set();
+		for (const file of given) {
 			const text = await textIn(file);
 			const found = kindOfTable(text, names);
 			if (found.kind === "neither" && !CSV.test(file.name) && !hasNumbers(text)) continue;
-			count += 1;
+			files.add(file);
 			if (found.kind === "neither") aside.push(say("is-no-table-of", {
 				name: file.name,
 				why: sentence(found.why)
@@ -5327,7 +5332,7 @@ var BesideFiles = class {
 			else if (found.kind !== "fiducials") await this.takesText(found.kind, file, here);
 		}
 		return {
-			count,
+			files,
 			aside: aside.join(" ")
 		};
 	}
@@ -5766,12 +5771,14 @@ var BlockFiles = class {
 		const notCameras = cameras === void 0 ? "" : await this.beside.cameras(cameras.file, photos, here);
 		const tables = await this.beside.tables(alone.map(({ file }) => file).filter((file) => TABLE.test(file.name) && !film.files.has(file)), photos, here);
 		here();
-		const aside = found.length - photos.length - film.files.size - tables.count - [
+		const known = new Set([
+			...photos,
 			project,
 			cameras,
 			geoid
-		].filter((file) => file !== void 0).length + lone.length;
-		if (photos.length > 0 || aside > 0) this.add(here, photos, aside, [why, said].filter((text) => text !== "").join(" "), before);
+		].map((one) => one?.file));
+		const aside = [...found.map(({ file }) => file).filter((file) => !known.has(file) && !film.files.has(file) && !tables.files.has(file)), ...lone].map(({ name }) => name);
+		if (photos.length > 0 || aside.length > 0) this.add(here, photos, aside, [why, said].filter((text) => text !== "").join(" "), before);
 		else await this.said(here, [said, film.said === "" ? "" : framesStep(this.store.state)].filter((text) => text !== "").join(" "));
 		const putAside = [
 			unread,
@@ -5897,24 +5904,30 @@ var BlockFiles = class {
 			});
 			if (!this.waits && own === null) this.start(here);
 		}
+		if (aside.length > 0) this.store.dispatch({
+			type: "skipped",
+			names: aside
+		});
 		const runs = this.telling.runsNow();
+		const notImages = aside.length > 0 ? say("skipped-not-an-image-by", { aside: aside.length }) : "";
 		const notes = [
 			why,
 			runs || own !== null ? "" : say("in-the-block", { sorted: images$1(sorted.length) }),
 			own ?? "",
 			twice > 0 ? say("skipped-their-names-are-in", { twice: images$1(twice) }) : "",
-			aside > 0 ? say("skipped-not-an-image-by", { aside }) : "",
+			notImages,
 			runs || own !== null ? "" : this.nextStep(sorted.length)
 		].filter((note) => note !== "");
 		const { notice } = this.store.state;
 		if (notes.length === 0 || notice?.kind === "problem" && notice !== noticed) return;
+		const passing = notes.every((note) => note === why || note === notImages);
 		this.store.dispatch({
 			type: "notice",
 			notice: {
 				kind: "info",
 				text: notes.join(" "),
 				beside: runs,
-				passing: notes.length === 1 && why !== ""
+				passing
 			}
 		});
 	}
@@ -7239,11 +7252,18 @@ var PARTS$1 = [
 ];
 var observationRows = remember((view, of) => {
 	const { images, points } = view;
+	const parts = PARTS$1.map((label, part) => ({
+		label,
+		has: (row) => of.parts[row] === part
+	}));
 	const residual = (row) => Math.hypot(of.residuals[2 * row] ?? NaN, of.residuals[2 * row + 1] ?? NaN);
 	return {
 		count: of.points.length,
 		columns: [
-			words("observation-image", say("image-2"), (i) => images[of.images[i] ?? -1]?.name ?? "", say("the-image-that-shows-the")),
+			{
+				...words("observation-image", say("image-2"), (i) => images[of.images[i] ?? -1]?.name ?? "", say("the-image-that-shows-the")),
+				parts
+			},
 			pointColumn(view, "observation-point", (i) => of.points[i], say("number-of-the-point")),
 			numbers("observation-x", "x", "px", 2, (i) => of.places[2 * i] ?? NaN, say("column-the-centre-of-the")),
 			numbers("observation-y", "y", "px", 2, (i) => of.places[2 * i + 1] ?? NaN, say("row")),
@@ -7885,6 +7905,10 @@ function reduced(state, action) {
 			truth: action.truth,
 			running: onOtherInput(state.running)
 		};
+		case "skipped": return {
+			...state,
+			skipped: [...new Set([...state.skipped, ...action.names])]
+		};
 		case "options": return {
 			...state,
 			options: {
@@ -7993,6 +8017,7 @@ function reduced(state, action) {
 				},
 				marks: NO_HISTORY,
 				removed: [],
+				skipped: [],
 				truth: null,
 				running: { kind: "no" },
 				shown: {
@@ -11962,7 +11987,11 @@ function toolsOf$1(store, map, mosaic) {
 	const make = button(say("orthomosaic-2"), "map-mosaic", mosaic, say("makes-a-quick-orthomosaic-of"));
 	map.watch(() => {
 		const press = switches.find(([name]) => name === "orthophoto")?.[1];
-		if (press !== void 0) press.hidden = map.laid() === null;
+		if (press === void 0) return;
+		press.hidden = map.laid() === null;
+		const isOwn = map.orthophoto?.ofBlock != null;
+		setText(press, say(isOwn ? "orthomosaic-2" : "orthophoto"));
+		press.title = say(isOwn ? "the-orthomosaic-of-the-block" : "the-orthophoto-that-is-given");
 	});
 	store.watch([
 		"shown",
@@ -12065,9 +12094,9 @@ function inWords(map, view) {
 	}));
 	return `${parts.join(". ")}.`;
 }
-function extentText({ layout: { places } }, system) {
+function extentText({ layout: { kind, places }, images }, system) {
 	const span = (axis) => {
-		const own = places.filter((_, i) => i % 2 === axis);
+		const own = places.filter((_, i) => i % 2 === axis && (kind !== "oriented" || images[Math.floor(i / 2)]?.oriented === true));
 		return own.length === 0 ? 0 : own.reduce((high, value) => Math.max(high, value), -Infinity) - own.reduce((low, value) => Math.min(low, value), Infinity);
 	};
 	return say("the-images-lie-within-by", {
@@ -14215,12 +14244,14 @@ var detectable = remember((view, of) => {
 function withinSentence(label) {
 	return label.replace(/^\p{Lu}(?=\p{Ll})/u, (first) => first.toLowerCase());
 }
-function plotText({ x, y }) {
+function plotText({ x, y }, isOriented = false) {
 	const sorted = y.values.filter(Number.isFinite).sort();
 	const unchecked = y.values.length - sorted.length;
 	const more = unchecked === 0 ? "" : say("unchecked-at-the-top", { unchecked });
-	if (sorted.length === 0) return unchecked === 0 ? say("there-are-no-such-values") : more;
-	const at = (share) => fixed(sorted[Math.round(share * (sorted.length - 1))] ?? NaN, 3);
+	if (sorted.length === 0) return unchecked === 0 ? say(isOriented ? "this-block-has-none" : "there-are-no-such-values") : more;
+	const areCounts = y.unit === "" && sorted.every(Number.isInteger);
+	const written = (value) => areCounts ? count(value) : fixed(value, 3);
+	const at = (share) => written(sorted[Math.round(share * (sorted.length - 1))] ?? NaN);
 	const text = say("values-over-median-from-to", {
 		sorted: sorted.length,
 		to_lower_case: withinSentence(x.label),
@@ -14750,7 +14781,7 @@ function plotsView(facts) {
 			const values = button("CSV", "plot-csv", () => void saveValues(plot, saved), say("saves-the-values-of-the"));
 			const show = () => {
 				const data = plot.data();
-				const text = data === null ? "" : plotText(data);
+				const text = data === null ? "" : plotText(data, (store.state.shown?.view.oriented ?? 0) > 0);
 				if (words.textContent !== text) words.textContent = text;
 				picture.disabled = values.disabled = data === null || data.x.values.length === 0;
 			};
@@ -14962,7 +14993,7 @@ function figuresOf$1(tried, unit) {
 				placements: placements.length,
 				tried: tried.length
 			}),
-			label: say("photos-placed")
+			label: say("images-placed")
 		},
 		...placements.length > 0 ? [{
 			value: count(links),
@@ -14991,12 +15022,13 @@ function mountResults(host, store, takeOff) {
 		"shown",
 		"files",
 		"options",
-		"placing"
-	], ([shown]) => {
+		"placing",
+		"skipped"
+	], ([shown, , , , skipped]) => {
 		body.classList.toggle("is-stale", isStale(store.state));
 		const placed = placedOf(store.state);
 		const none = placed === null ? h("p", { class: "note" }, say("no-block-yet-drop-images")) : null;
-		fill(body, ...shown === null ? [none] : sectionsOf(shown, off, (text) => readable(store.state.catalogue?.labels ?? null, text)), placed);
+		fill(body, ...shown === null ? [none] : sectionsOf(shown, off, (text) => readable(store.state.catalogue?.labels ?? null, text)), placed, shown === null ? null : strays(say("other-files-skipped"), "block-other-files", skipped, say("no-images-by-their-names")));
 	});
 	store.watch([
 		"running",
@@ -15005,6 +15037,18 @@ function mountResults(host, store, takeOff) {
 	], () => {
 		off.disabled = isBusy(store.state);
 	});
+}
+var REASONS = [
+	"block-warnings",
+	"block-not-oriented",
+	"block-facts"
+];
+function showReasons(host) {
+	const [first] = REASONS.flatMap((testid) => host.querySelector(`[data-testid="${testid}"]`) ?? []);
+	if (first === void 0) return;
+	first.tabIndex = -1;
+	first.scrollIntoView({ block: "start" });
+	first.focus({ preventScroll: true });
 }
 function sectionsOf(shown, off, written) {
 	const { view } = shown;
@@ -15615,7 +15659,7 @@ function mountBlockStatus(store, actions, details) {
 		const answer = readableAnswer(doubted(offeringSetting(answerOf(state, actions), catalogue, actions), doubtOf(state)), catalogue?.labels ?? null);
 		line.setAttribute("aria-live", answer.kind === "busy" ? "off" : "polite");
 		show(answer);
-		run.disabled = isBusy(state) || (places(state) ? unplacedFiles(state).length === 0 : state.files.length < 2);
+		run.disabled = isBusy(state) || asksForOrthophoto(state) || (places(state) ? unplacedFiles(state).length === 0 : state.files.length < 2);
 		run.textContent = places(state) ? say("place-them") : state.running.kind === "ended" ? say("go-on") : say("run");
 		run.classList.toggle("primary", answer.next == null && !run.disabled && (state.onStage !== "orthophoto" || places(state)));
 		cancel.disabled = !isBusy(state);
@@ -15661,6 +15705,9 @@ function placed(state, actions) {
 }
 function places(state) {
 	return state.onStage === "orthophoto" && purposeOf(state) === "images";
+}
+function asksForOrthophoto({ onStage, placing }) {
+	return onStage === "orthophoto" && placing.orthophoto === null;
 }
 function isOfGround(state) {
 	const { onStage, placing, shown } = state;
@@ -15868,18 +15915,30 @@ function figuresOf(view) {
 				oriented: view.oriented,
 				images: view.images.length
 			}),
-			label: say("photos-oriented")
+			label: say("images-oriented-2")
 		},
 		{
 			value: count(view.points.taking),
-			label: say("points-on-several-photos")
+			label: say("tie-points-used")
 		},
 		...view.sigma0Px === null ? [] : [{
 			value: say("px-2", { value: view.sigma0Px }),
-			label: say("precision")
+			label: say("sigma-of-image-observations")
 		}],
-		...view.checks === null ? [] : [checkFigure(view.checks)]
+		...view.checks === null ? groundFigure(view) : [checkFigure(view.checks)]
 	];
+}
+function groundFigure(view) {
+	const [plan, height] = medianErrors(view);
+	if (unitOf(view) === "" || !Number.isFinite(plan) || !Number.isFinite(height)) return [];
+	const written = (error) => fixed(error, error < 1 ? 3 : 2);
+	return [{
+		value: say("plan-and-height-of", {
+			plan: written(plan),
+			height: written(height)
+		}),
+		label: say("median-errors-of-tie-points")
+	}];
 }
 function checkFigure({ points, plan_rmse_m: plan, height_rmse_m: height }) {
 	return {
@@ -15990,6 +16049,7 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 			showTab("tab-block-results");
 			setDrawer("details", true);
 			reveal(results.element);
+			showReasons(results.panels[0]);
 		},
 		save: () => void saveAs(store, engine, "project", "block-next"),
 		open: pick,

@@ -1150,8 +1150,9 @@ function withKeys(text) {
 }
 function mountLanguage(press, keeper) {
 	const other = LANGUAGE === "en" ? "ar" : "en";
-	press.textContent = LANGUAGES[other].name;
-	press.lang = other;
+	const name = h("span", {}, LANGUAGES[other].name);
+	name.lang = other;
+	fill(press, name);
 	press.addEventListener("click", () => void change(other, keeper()));
 }
 async function change(to, keeper) {

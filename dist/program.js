@@ -2637,6 +2637,7 @@ function save(blob, name) {
 	link.download = name;
 	link.click();
 	window.setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
+	return name;
 }
 // node_modules/fflate/esm/browser.js
 var u8 = Uint8Array;
@@ -4298,6 +4299,7 @@ var TOTALS = {
 var Table = class {
 	options;
 	help;
+	problem;
 	table;
 	bar;
 	all = [];
@@ -4322,17 +4324,26 @@ var Table = class {
 			hidden: true,
 			testid: `${testid}-help`
 		});
+		this.problem = h("p", {
+			class: "field-problem",
+			id: `${testid}-filter-problem`,
+			testid: `${testid}-filter-problem`,
+			role: "status",
+			aria: { live: "polite" }
+		});
 		this.table = new RowsInSight(testid, words, (place) => this.row(this.shown[place] ?? 0, place));
 		this.bar = file === void 0 ? null : new TableBar(testid, words.table, {
 			hide: (hidden) => this.hide(hidden),
-			csv: async () => save(new Blob([csvOf(this.columns, this.shown, await intoEnglish())], { type: "text/csv" }), file),
+			csv: async () => {
+				save(new Blob([csvOf(this.columns, this.shown, await intoEnglish())], { type: "text/csv" }), file);
+			},
 			copied: async () => tabbedOf(this.columns, this.shown, await intoEnglish()),
 			clear: () => {
 				if (options.showAll === void 0) options.filter?.({});
 				else options.showAll();
 			}
 		}, options.tools ?? []);
-		host.append(...this.bar === null ? [] : [this.bar.element], this.help, this.table.scroller);
+		host.append(...this.bar === null ? [] : [this.bar.element], this.help, this.problem, this.table.scroller);
 		this.table.table.addEventListener("keydown", (event) => this.key(event));
 		if (options.choose !== void 0 && (options.chooseMore !== void 0 || options.isChosen !== void 0)) this.table.table.setAttribute("aria-multiselectable", "true");
 		this.table.scroller.addEventListener("pointerleave", () => options.point?.(-1));
@@ -4416,6 +4427,7 @@ var Table = class {
 		input.addEventListener("input", () => {
 			const condition = conditionOf(input.value, words === true);
 			input.setAttribute("aria-invalid", String(condition === void 0));
+			this.showProblem();
 			if (condition === void 0) return;
 			const { [key]: _, ...others } = this.conditions;
 			this.options.filter?.(condition === null ? others : {
@@ -4434,6 +4446,15 @@ var Table = class {
 			input.value = conditionText(this.conditions[key]);
 			input.removeAttribute("aria-invalid");
 		}
+		this.showProblem();
+	}
+	showProblem() {
+		const fields = [...this.table.head.querySelectorAll("input.filter")];
+		const wrong = fields.find((field) => field.getAttribute("aria-invalid") === "true");
+		for (const field of fields) if (field === wrong) field.setAttribute("aria-describedby", this.problem.id);
+		else field.removeAttribute("aria-describedby");
+		const text = wrong === void 0 ? "" : say("is-no-number-or-range", { typed: wrong.value.trim() });
+		if (this.problem.textContent !== text) this.problem.textContent = text;
 	}
 	press(row, { shiftKey, ctrlKey, metaKey }) {
 		const { choose, chooseMore } = this.options;
@@ -8007,6 +8028,9 @@ function sideOfMask(mask, index) {
 	if (/right/iu.test(mask.name)) return "right";
 	return /left/iu.test(mask.name) || index === 0 ? "left" : "right";
 }
+function looksLikeTable(text) {
+	return /[,;\t]/u.test(text.trimStart().split("\n", 1)[0] ?? "");
+}
 var BesideFiles = class {
 	store;
 	engine;
@@ -8068,6 +8092,10 @@ var BesideFiles = class {
 		let text = "";
 		try {
 			text = await textIn(file);
+		} catch (error) {
+			return this.telling.failed(say("cannot-be-opened", { name: file.name }), error, here);
+		}
+		try {
 			const fiducials = await this.engine.client("pair").call("parseFiducials", { text });
 			here();
 			this.store.dispatch({
@@ -8083,7 +8111,9 @@ var BesideFiles = class {
 		} catch (error) {
 			here();
 			if (isOfBlock(text)) return problem(say("is-a-table-of-a-block", { name: file.name }));
-			return this.telling.failed(say("holds-no-fiducial-marks", { name: file.name }), error, here);
+			const what = say("is-no-photograph-and-no-table", { name: file.name });
+			if (!looksLikeTable(text) && !(error instanceof Cancelled)) return problem(sentence(what));
+			return this.telling.failed(what, error, here);
 		}
 	}
 	async camera(file, here) {
@@ -8260,21 +8290,21 @@ function scoreOf(state) {
 }
 async function exportMatches(state, engine) {
 	const { match, orientation } = shownPair(state);
-	if (match === null) return;
+	if (match === null) return null;
 	const text = await engine.client("pair").call("matchesCsv", {
 		matches: match.matches,
 		rejected: orientation?.rejected ?? null
 	});
-	save(new Blob([text], { type: "text/csv" }), `${baseName(state)}-matches.csv`);
+	return save(new Blob([text], { type: "text/csv" }), `${baseName(state)}-matches.csv`);
 }
 function exportEverything(state) {
-	save(new Blob([JSON.stringify(everything(state))], { type: "application/json" }), `${baseName(state)}.json`);
+	return save(new Blob([JSON.stringify(everything(state))], { type: "application/json" }), `${baseName(state)}.json`);
 }
 async function exportPicture(state, view) {
 	const canvas = view.snapshot();
 	const blob = await new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
 	if (blob === null) throw new Error(say("the-picture-is-too-large"));
-	save(blob, `${baseName(state)}.png`);
+	return save(blob, `${baseName(state)}.png`);
 }
 function baseName(state) {
 	return [state.images.left?.name, state.images.right?.name].map((name) => (name ?? "image").replace(/\.[^.]+$/u, "")).join("-").replace(/[^\p{L}\p{N}._-]+/gu, "_");
@@ -8286,7 +8316,7 @@ async function exportProject(store, engine) {
 	const { state } = store;
 	const text = await projectText(state, engine);
 	if (text === null) throw new Error(say("the-pair-is-not-matched"));
-	save(new Blob([text], { type: "application/octet-stream" }), `${baseName(state)}.tiepoint`);
+	return save(new Blob([text], { type: "application/octet-stream" }), `${baseName(state)}.tiepoint`);
 }
 async function projectText(state, engine) {
 	const [left, right] = await Promise.all(SIDES.map((side) => contentOf(state, engine, side)));
@@ -9783,6 +9813,9 @@ function focalPxField(store) {
 		note
 	};
 }
+function focusFocalLength(host) {
+	host.querySelector("[data-testid^=\"camera-focal\"]:enabled")?.focus();
+}
 function sharedCamera(store, fields) {
 	const use = button("", "camera-for-both", () => {
 		const shared = cameraForBoth(store.state);
@@ -11172,7 +11205,7 @@ function figures(match, geometry) {
 async function exportEpipolar(store, engine) {
 	const { state } = store;
 	const { left, right } = state.images;
-	if (left === null || right === null) return;
+	if (left === null || right === null) return null;
 	const client = engine.client("report");
 	const tell = (kind, text) => store.dispatch({
 		type: "notice",
@@ -11201,6 +11234,7 @@ async function exportEpipolar(store, engine) {
 	} finally {
 		client.cancel();
 	}
+	return null;
 }
 // www/pair/files/report.ts
 function editsOf(state) {
@@ -11251,7 +11285,7 @@ function inputOf(state) {
 }
 async function exportReport(store, engine) {
 	const input = inputOf(store.state);
-	if (input === null) return;
+	if (input === null) return null;
 	const tell = (text) => store.dispatch({
 		type: "notice",
 		notice: {
@@ -11273,13 +11307,14 @@ async function exportReport(store, engine) {
 		}
 		tell(say("report-step-of-writing", { steps: steps.length + 1 }));
 		const page = await client.call("reportPage", null);
-		save(new Blob([page], { type: "text/html" }), `${baseName(store.state)}-report.html`);
-		const text = say("the-report-was-saved-it");
+		const name = save(new Blob([page], { type: "text/html" }), `${baseName(store.state)}-report.html`);
+		const text = [say("was-saved", { name }), input.edits === null ? "" : say("its-run-has-the-edits")].join(" ").trimEnd();
 		store.dispatch({
 			type: "notice",
-			notice: input.edits === null ? null : {
+			notice: {
 				kind: "info",
-				text
+				text,
+				beside: true
 			}
 		});
 	} catch (error) {
@@ -11294,6 +11329,7 @@ async function exportReport(store, engine) {
 	} finally {
 		client.cancel();
 	}
+	return null;
 }
 // www/pair/state/savable.ts
 var EXPORTS = [
@@ -11368,8 +11404,8 @@ function mountHeader({ store, engine, view, files, pick, attempt, saving, sample
 	const on = (id, action) => {
 		byId(id).addEventListener("click", () => void attempt(action));
 	};
-	const onExport = (id, action) => {
-		byId(id).addEventListener("click", () => void saving("export-menu", action));
+	const onExport = (id, write) => {
+		byId(id).addEventListener("click", () => void saving("export-menu", write));
 	};
 	for (const id of ["open", "open-first"]) on(id, () => pick(null));
 	for (const id of ["sample", "sample-first"]) on(id, () => files.takeSample());
@@ -12990,7 +13026,7 @@ function figuresOf(state, result) {
 		},
 		...interior === void 0 || result.sigma0_mm == null ? [] : [{
 			value: say("px-2", { value: result.sigma0_mm / pixelMm(interior) }),
-			label: say("precision")
+			label: say("sigma-of-image-observations")
 		}],
 		...half == null ? [] : [{
 			value: `${fixed(result.kappa_deg, digits)}° ± ${fixed(half, digits)}°`,
@@ -13127,6 +13163,10 @@ function answerWith(state, notice, actions) {
 	if (refused !== void 0) return line("problem", refusedText$1(refused));
 	const answer = resting(state, done < wanted, actions);
 	if (notice === null) return answer;
+	if (notice.beside === true) return {
+		...answer,
+		said: notice.text
+	};
 	if (answer.verdict === null) return line("idle", notice.text);
 	return {
 		...answer,
@@ -15432,13 +15472,19 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 			});
 		}
 	};
-	const saving = async (near, action) => {
+	const saving = async (near, write) => {
 		const { notice: before } = store.state;
 		try {
-			await action();
-			if (before !== null && before.kind !== "busy" && store.state.notice === before) store.dispatch({
+			const name = await write();
+			const { notice } = store.state;
+			if (name === null || notice?.kind === "busy" || notice !== before && notice?.beside !== true) return;
+			store.dispatch({
 				type: "notice",
-				notice: null
+				notice: {
+					kind: "info",
+					text: say("was-saved", { name }),
+					beside: true
+				}
 			});
 		} catch (error) {
 			store.dispatch({
@@ -15530,6 +15576,7 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 		camera: () => {
 			setDrawer("settings", true);
 			showTab("tab-camera");
+			focusFocalLength(camera);
 		},
 		calibrated: () => useCalibration(store),
 		otherStrategy: () => {
@@ -16627,8 +16674,9 @@ function actions() {
 		keys,
 		run: () => run(false)
 	})));
-	const buttons = once(made.filter(({ disabled }) => !disabled)).map((button) => ({
+	const all = once([...made].sort((a, b) => Number(a.disabled) - Number(b.disabled))).map((button) => ({
 		name: nameOf(button),
+		disabled: button.disabled,
 		more: [...new Set([
 			groupOf(twinOf(button) ?? button),
 			tabOf(button),
@@ -16651,9 +16699,10 @@ function actions() {
 		}
 	}));
 	return [
-		...buttons,
+		...all.filter(({ disabled }) => !disabled),
 		...commands,
-		...settings
+		...settings,
+		...all.filter(({ disabled }) => disabled)
 	];
 }
 var UNNAMED = ".close, .menu-button, #export-menu";
@@ -16750,13 +16799,14 @@ var Search = class {
 	narrow() {
 		const words = this.input.value.toLowerCase().split(/\s+/u);
 		const text = ({ name, more }) => `${name} ${more}`.toLowerCase();
-		const rank = ({ name }) => words.every((word) => name.toLowerCase().includes(word)) ? 0 : 1;
+		const rank = ({ name, disabled }) => (words.every((word) => name.toLowerCase().includes(word)) ? 0 : 1) + (disabled === true ? 2 : 0);
 		this.found = this.all.filter((action) => words.every((word) => text(action).includes(word))).sort((a, b) => rank(a) - rank(b));
-		const rows = this.found.map(({ name, more, keys }, place) => {
+		const rows = this.found.map(({ name, more, keys, disabled = false }, place) => {
 			const row = h("li", {
 				role: "option",
-				id: `search-${String(place)}`
-			}, h("span", {}, name), h("small", {}, more), keys.length === 0 ? null : keysOf(keys));
+				id: `search-${String(place)}`,
+				aria: disabled ? { disabled: "true" } : {}
+			}, h("span", {}, name), h("small", {}, [disabled ? say("not-possible-now") : "", more].filter((text) => text !== "").join(" · ")), keys.length === 0 ? null : keysOf(keys));
 			row.addEventListener("click", () => this.run(place));
 			return row;
 		});
@@ -16776,7 +16826,7 @@ var Search = class {
 	}
 	run(place) {
 		const action = this.found[place];
-		if (action === void 0) return;
+		if (action === void 0 || action.disabled === true) return;
 		this.dialog.close();
 		action.run();
 	}

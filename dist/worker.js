@@ -2258,9 +2258,37 @@
 		});
 	}
 	function completed(places, connections) {
-		const known = places.filter((place) => place !== null);
-		const least = [0, 1].map((axis) => known.reduce((low, place) => Math.min(low, place[axis] ?? 0), Infinity));
-		const flat = new Float64Array(2 * places.length);
+		const step = usualStep(places);
+		const means = meansOfNeighbours(places, connections);
+		const taken = new Set(places.flatMap((place) => place === null ? [] : [cellOf(place, step)]));
+		const found = places.map((place, i) => place ?? (means[i] == null ? null : freePlace(means[i], step, taken)));
+		const apart = placesApart(found, step);
+		return Float64Array.from(found.flatMap((place) => place ?? apart.next().value ?? [0, 0]));
+	}
+	function usualStep(places) {
+		const { low, high, count } = extentOf(places);
+		const span = Math.max(high[0] - low[0], high[1] - low[1]);
+		return span > 0 ? span / Math.ceil(Math.sqrt(count)) : 1;
+	}
+	function extentOf(places) {
+		const low = [Infinity, Infinity];
+		const high = [-Infinity, -Infinity];
+		let count = 0;
+		for (const place of places) {
+			if (place === null) continue;
+			count += 1;
+			for (const axis of [0, 1]) {
+				low[axis] = Math.min(low[axis], place[axis] ?? 0);
+				high[axis] = Math.max(high[axis], place[axis] ?? 0);
+			}
+		}
+		return {
+			low,
+			high,
+			count
+		};
+	}
+	function meansOfNeighbours(places, connections) {
 		const sums = places.map(() => ({
 			x: 0,
 			y: 0,
@@ -2276,15 +2304,21 @@
 				sum.count += 1;
 			}
 		}
-		places.forEach((place, i) => {
-			const { x, y, count } = sums[i] ?? {
-				x: 0,
-				y: 0,
-				count: 0
-			};
-			flat.set(place ?? (count > 0 ? [x / count, y / count] : least), 2 * i);
-		});
-		return flat;
+		return sums.map(({ x, y, count }) => count === 0 ? null : [x / count, y / count]);
+	}
+	var CELLS = 3;
+	var cellOf = ([x = 0, y = 0], step) => `${String(Math.round(CELLS * x / step))} ${String(Math.round(CELLS * y / step))}`;
+	function freePlace([x, y], step, taken) {
+		let place = [x, y];
+		for (let k = 1; taken.has(cellOf(place, step)); k++) place = [x - k * step / CELLS, y - k * step / CELLS];
+		taken.add(cellOf(place, step));
+		return place;
+	}
+	var LEAST_COLUMN = 4;
+	function* placesApart(known, step) {
+		const { low } = extentOf(known);
+		const rows = Math.max(LEAST_COLUMN, Math.ceil(Math.sqrt(known.filter((place) => place === null).length)));
+		for (let k = 0;; k++) yield [low[0] - (1 + Math.floor(k / rows)) * step, low[1] - (.5 + k % rows) * step];
 	}
 	function arranged(count, connections) {
 		const places = Float64Array.from({ length: 2 * count }, (_, i) => {

@@ -59,13 +59,14 @@ test('tables of a block are told to be that; what is wrong with one of fiducial 
     ['name,col,row,x_mm,y_mm\na,1,2,x,4\n', /got 'x' for x_mm in line 2/],
     ['col;row;x;y\n1;2;3;4\n', /no column x_mm/],
     ['x_left,y_left,x_right,y_right,measure\n1,2,3,4,5\n', /no column col/],
-    ['Weather: clear\n', /no column col/],
   ])) {
     const { text: said } = await table(text);
-    assert.match(said, /^table\.csv holds no fiducial marks: /);
+    assert.match(said, /^table\.csv is no photograph and no table that is known here: /);
     assert.match(said, why);
     assert.doesNotMatch(said, /block/);
   }
+  // Of a text that is no table at all no columns are said.
+  for (const text of ['Weather: clear\n', '']) assert.equal((await table(text)).text, 'table.csv is no photograph and no table that is known here.');
   assert.deepEqual(store.state.photos.left.fiducials, []);
 });
 
@@ -75,7 +76,7 @@ test('a file that is gone when it is read is told with the others', async () => 
   const here = () => {};
   for (const [told, text] of [
     [await beside.camera(gone('own.json'), here), 'own.json holds no camera data: it is gone.'],
-    [await beside.fiducials(gone('table.csv'), 'left', here), 'table.csv holds no fiducial marks: it is gone.'],
+    [await beside.fiducials(gone('table.csv'), 'left', here), 'table.csv cannot be opened: it is gone.'],
   ])
     assert.deepEqual(told, { kind: 'problem', text });
 });

@@ -154,6 +154,28 @@ test('tools that work on matches cannot be pressed before there are any', { skip
   await enabled(page, 'sample-first');
   const tools = ['tool-choose', 'tool-measure', 'tool-mask'];
   for (const id of tools) assert.ok(await part(page, id).isDisabled(), id);
+  // The search finds what cannot be done yet, after what can be, and does not do it.
+  const found = part(page, 'search-list').locator('li');
+  await page.keyboard.press('Control+k');
+  const disabled = await found.evaluateAll((rows) => rows.map((row) => row.getAttribute('aria-disabled') === 'true'));
+  assert.ok(disabled.includes(true) && !disabled.slice(disabled.indexOf(true)).includes(false), String(disabled));
+  await part(page, 'search-text').fill('report');
+  assert.deepEqual(await found.evaluateAll((rows) => rows.map((row) => [row.firstElementChild?.textContent, row.getAttribute('aria-disabled')])), [
+    ['Report', 'true'],
+  ]);
+  assert.match((await found.first().textContent()) ?? '', /not possible now/);
+  await page.keyboard.press('Enter');
+  await found.first().dispatchEvent('click');
+  assert.ok(await part(page, 'search').isVisible());
+  for (const [word, name] of [
+    ['dark', 'Theme: auto'],
+    ['light', 'Theme: auto'],
+    ['language', 'العربية'],
+  ]) {
+    await part(page, 'search-text').fill(word ?? '');
+    assert.ok((await found.locator('> span:first-child').allTextContents()).includes(name ?? ''), word);
+  }
+  await page.keyboard.press('Escape');
   await pair(page);
   for (const id of tools) assert.ok(await part(page, id).isEnabled(), id);
   assert.deepEqual(complaints, []);
@@ -249,6 +271,7 @@ test('a pair without a camera asks for it, and the next step leads there', { ski
   assert.equal(await part(page, 'next').textContent(), 'Give the camera');
   await part(page, 'next').click();
   assert.ok(await part(page, 'camera-focal').isVisible());
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('data-testid')), 'camera-focal-px');
   // A focal length alone, in mm, says nothing of the image: the page does not say that it is used.
   await says(page, 'interior-left', /no pixel size is known/);
   await part(page, 'camera-focal').fill('153.38');

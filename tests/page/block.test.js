@@ -6,7 +6,7 @@ import { unzipSync } from 'fflate';
 import { grey_png } from '../../pkg/node.js';
 import { servePage } from '../../tools/lib/page-server.mjs';
 import { block, drop, photoFolder, photograph, photos, status } from './blocks.js';
-import { done, enabled, hosted, launch, number, part, saved, says, SHOTS, singleUrl, SKIP, upload } from './page.js';
+import { done, enabled, hosted, launch, number, part, pngs, saved, says, SHOTS, singleUrl, SKIP, SMALL, upload } from './page.js';
 
 hosted('/block/');
 
@@ -115,6 +115,8 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   assert.match(await status(page, /^(Oriented|Weak orientation|Not oriented|The block was)/), /^(Oriented|Weak orientation): .*\. 4 images.*1 skipped/);
   assert.match((await part(page, 'stage-images').textContent()) ?? '', /5 of 5, [1-4] from an earlier run/);
   assert.match((await part(page, 'block-left-out').textContent()) ?? '', /broken\.jpg: .+/);
+  // What is no image by its name is counted nowhere else, and listed.
+  await says(page, 'block-other-files', /truth\.json, notes\.txt: no images by their names\.$/);
   await part(page, 'tab-block-images').click();
   const listed = page.locator('[data-testid="block-images"] tbody tr:not(.filler)');
   await listed.first().waitFor();
@@ -122,6 +124,32 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   assert.equal(rows.length, 5);
   assert.ok(rows.some((text) => text.startsWith('broken.jpg')));
   rmSync(folder, { recursive: true });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('what speaks against a block is brought into sight with the keyboard, and nothing is run where an orthophoto is wanted', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block({ options: { viewport: { width: 1366, height: 768 } } });
+  // Of two grounds.
+  const [one, other] = [pngs()[0], pngs({ ...SMALL, seed: 9 })[0]];
+  assert.ok(one && other);
+  await part(page, 'block-files-input').setInputFiles([one, { ...other, name: 'other.png' }]);
+  await status(page, /^2 images in the block/);
+  await part(page, 'block-show-orthophoto').click();
+  assert.ok(await part(page, 'block-run').isDisabled());
+  await part(page, 'block-show-map').click();
+  await part(page, 'block-run').click();
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-answer"]')?.getAttribute('data-verdict') === 'not_oriented');
+  for (let i = 0; i < 2; i++) {
+    assert.equal(await part(page, 'block-next').textContent(), 'Show why');
+    await part(page, 'block-next').click();
+    const reason = page.locator('[data-testid="block-warnings"]:focus');
+    const seen = await reason.boundingBox();
+    const panel = await page.locator('#panel-block-results').boundingBox();
+    assert.ok(seen && panel && seen.y >= panel.y - 1 && seen.y < panel.y + panel.height - 20, JSON.stringify({ seen, panel }));
+    // Again where the details are open, and elsewhere.
+    await page.locator('#panel-block-results').evaluate((element) => element.scrollTo(0, element.scrollHeight));
+  }
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -286,7 +286,7 @@ test('bad files are told, those of one reason together, and what was open only w
   const files = ['bad.jpg', 'worse.jpg', 'a.txt'].map((name) => ({ name, mimeType: '', buffer: Buffer.from('nothing of use') }));
   const give = () => part(page, 'file-input').setInputFiles(files);
   await give();
-  await says(page, 'status', /a\.txt holds no fiducial marks: .* 2 files cannot be opened \(bad\.jpg, worse\.jpg\): [^.]*\.$/);
+  await says(page, 'status', /a\.txt is no photograph and no table that is known here\. 2 files cannot be opened \(bad\.jpg, worse\.jpg\): [^.]*\.$/);
   assert.doesNotMatch((await part(page, 'status').textContent()) ?? '', /images are kept/);
   // Of two, the one that can be read is shown: only the other is missing.
   const [good] = pngs();
@@ -305,7 +305,7 @@ test('a stray file among two photos takes neither their verdict nor their pictur
   const { page, complaints, close } = await open();
   await page.waitForFunction(() => document.querySelector('[data-testid="sample"]:enabled') !== null);
   await part(page, 'file-input').setInputFiles([...pngs(), { name: 'notes.txt', mimeType: 'text/plain', buffer: Buffer.from('hello') }]);
-  await says(page, 'status', /^(Oriented|Weak|Not oriented).* notes\.txt holds no fiducial marks: /);
+  await says(page, 'status', /^(Oriented|Weak|Not oriented).* notes\.txt is no photograph and no table that is known here\./);
   assert.match((await part(page, 'answer').getAttribute('data-verdict')) ?? '', /oriented|weak/);
   assert.deepEqual(complaints, []);
   await close();

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { test } from 'node:test';
 import { block, photoFolder, status } from './blocks.js';
-import { done, hosted, open, part, sample, saved, SKIP } from './page.js';
+import { done, hosted, open, part, sample, saved, says, SKIP } from './page.js';
 
 hosted('/saving/');
 
@@ -45,14 +45,28 @@ test('a format that a block cannot be written in is refused beside the button, a
   await close();
 });
 
-test('a picture that is saved takes a former notice away', { skip: SKIP }, async () => {
-  const { page, complaints, close } = await open();
+test('what is saved of a pair is named, in place of a former notice, and nothing below moves', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ options: { viewport: { width: 1366, height: 768 } } });
   await sample(page);
+  const before = await part(page, 'view').boundingBox();
+  const verdict = await part(page, 'answer').getAttribute('data-verdict');
+  for (const [id = '', name] of [
+    ['export-png', 'png'],
+    ['export-csv', 'csv'],
+    ['export-json', 'json'],
+    ['export-project', 'tiepoint'],
+  ]) {
+    await saved(page, id);
+    await says(page, 'status', new RegExp(` [^ ]+\\.${name} was saved\\.$`));
+    assert.equal(await part(page, 'answer').getAttribute('data-verdict'), verdict);
+    assert.deepEqual(await part(page, 'view').boundingBox(), before, id);
+  }
   await part(page, 'swap').click();
   await done(page);
   const said = /swap again/;
   assert.match((await part(page, 'status').textContent()) ?? '', said);
   await saved(page, 'export-png');
+  await says(page, 'status', /\.png was saved\.$/);
   assert.doesNotMatch((await part(page, 'status').textContent()) ?? '', said);
   assert.deepEqual(complaints, []);
   await close();

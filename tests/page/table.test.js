@@ -67,9 +67,15 @@ test('tables are searched, sorted, chosen from and saved, in step with map and m
   await part(page, 'tab-block-images').click();
   await part(page, 'block-images-filter-number').fill('two');
   assert.equal(await part(page, 'block-images-filter-number').getAttribute('aria-invalid'), 'true');
+  // What can be typed is said, and the rows stay as they are.
+  await says(page, 'block-images-filter-problem', /^“two” is no number or range\. Allowed: 2, 2\.\.5, >2 or ≤0\.5\. The rows stay as they are\.$/);
+  const described = await part(page, 'block-images-filter-number').getAttribute('aria-describedby');
+  assert.equal(described, await part(page, 'block-images-filter-problem').getAttribute('id'));
+  assert.equal(await part(page, 'block-images-caption').textContent(), 'Images: 3 of 6');
   await part(page, 'block-images-clear').click();
   await says(page, 'block-images-caption', /^Images: 6$/);
   assert.equal(await part(page, 'block-images-filter-number').inputValue(), '');
+  assert.equal(await part(page, 'block-images-filter-problem').textContent(), '');
 
   // Tie points: limits, order, several chosen together, columns, and a file of exactly what is shown.
   await part(page, 'tab-block-points').click();

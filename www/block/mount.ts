@@ -43,7 +43,7 @@ import { savePlaced } from './panel/placing-exports';
 import { mountPlacingSettings } from './panel/placing-settings';
 import { placingTables } from './panel/placing-tables';
 import { plotsView } from './panel/plots-view';
-import { mountResults } from './panel/results';
+import { mountResults, showReasons } from './panel/results';
 import { mountSettings } from './panel/settings';
 import { mountStage } from './panel/stage';
 import type { Choice } from './state/selection';
@@ -140,6 +140,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
         showTab('tab-block-results');
         setDrawer('details', true);
         reveal(results.element);
+        showReasons(results.panels[0]);
       },
       save: () => void saveAs(store, engine, 'project', 'block-next'),
       open: pick,

@@ -21,7 +21,7 @@ import { exportProject } from './files/project';
 import { shownPair } from './state/select';
 import { mountAnnouncements } from './panel/announce';
 import { useCalibration } from './panel/calibration';
-import { mountCamera } from './panel/camera';
+import { focusFocalLength, mountCamera } from './panel/camera';
 import { mountControls } from './panel/controls';
 import { mountCounts } from './panel/counts';
 import { mountDraft } from './panel/draft';
@@ -29,6 +29,7 @@ import { mountEditKeys, mountEdits, mountEditTools } from './panel/edits';
 import { mountFiducials } from './panel/fiducials';
 import { mountGeometry } from './panel/geometry';
 import { mountHeader, pickerOf } from './panel/header';
+import type { Saving } from './panel/header';
 import { mountHistograms } from './panel/histograms';
 import { mountMarking } from './panel/marking';
 import { mountMasking } from './panel/masking';
@@ -116,12 +117,15 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
     }
   };
 
-  /** Saves something. A refusal is said beside the button of this `data-testid`; once it is saved, what was said of an earlier deed is over. */
-  const saving = async (near: string, action: () => void | Promise<void>) => {
+  /** What was said of an earlier deed is over once something else is saved. */
+  const saving: Saving = async (near, write) => {
     const { notice: before } = store.state;
     try {
-      await action();
-      if (before !== null && before.kind !== 'busy' && store.state.notice === before) store.dispatch({ type: 'notice', notice: null });
+      const name = await write();
+      // What goes on says itself when it ends.
+      const { notice } = store.state;
+      if (name === null || notice?.kind === 'busy' || (notice !== before && notice?.beside !== true)) return;
+      store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('was-saved', { name }), beside: true } });
     } catch (error) {
       store.dispatch({ type: 'notice', notice: { kind: 'problem', text: sentence(readable(store.state.catalogue, messageOf(error))), near } });
     }
@@ -200,6 +204,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
     camera: () => {
       setDrawer('settings', true);
       showTab('tab-camera');
+      focusFocalLength(camera);
     },
     calibrated: () => useCalibration(store),
     otherStrategy: () => {

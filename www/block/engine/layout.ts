@@ -31,11 +31,41 @@ function recordedPlaces(recordings: readonly (ExifPosition | null)[]): (number[]
   });
 }
 
-/** Gives each image without a place the mean of those it is connected with, or one at the lower left. */
-function completed(places: readonly (number[] | null)[], connections: readonly ViewConnection[]): Float64Array {
-  const known = places.filter((place) => place !== null);
-  const least = [0, 1].map((axis) => known.reduce((low, place) => Math.min(low, place[axis] ?? 0), Infinity));
-  const flat = new Float64Array(2 * places.length);
+/** Gives each image without a place the mean of those it is connected with, or one outside of their extent, at the lower left. */
+function completed(places: readonly (readonly number[] | null)[], connections: readonly ViewConnection[]): Float64Array {
+  const step = usualStep(places);
+  const means = meansOfNeighbours(places, connections);
+  const taken = new Set(places.flatMap((place) => (place === null ? [] : [cellOf(place, step)])));
+  // No image lies on another: a place is taken beside the one that is wanted.
+  const found = places.map((place, i) => place ?? (means[i] == null ? null : freePlace(means[i], step, taken)));
+  const apart = placesApart(found, step);
+  return Float64Array.from(found.flatMap((place) => place ?? apart.next().value ?? [0, 0]));
+}
+
+/** About as far as images are from their neighbours, in the unit of the places. */
+function usualStep(places: readonly (readonly number[] | null)[]): number {
+  const { low, high, count } = extentOf(places);
+  const span = Math.max(high[0] - low[0], high[1] - low[1]);
+  return span > 0 ? span / Math.ceil(Math.sqrt(count)) : 1;
+}
+
+function extentOf(places: readonly (readonly number[] | null)[]): { low: [number, number]; high: [number, number]; count: number } {
+  const low: [number, number] = [Infinity, Infinity];
+  const high: [number, number] = [-Infinity, -Infinity];
+  let count = 0;
+  for (const place of places) {
+    if (place === null) continue;
+    count += 1;
+    for (const axis of [0, 1] as const) {
+      low[axis] = Math.min(low[axis], place[axis] ?? 0);
+      high[axis] = Math.max(high[axis], place[axis] ?? 0);
+    }
+  }
+  return { low, high, count };
+}
+
+/** Of each image the mean of the places of those it is connected with; null where none of them has one. */
+function meansOfNeighbours(places: readonly (readonly number[] | null)[], connections: readonly ViewConnection[]): ([number, number] | null)[] {
   const sums = places.map(() => ({ x: 0, y: 0, count: 0 }));
   for (const {
     images: [a, b],
@@ -53,11 +83,30 @@ function completed(places: readonly (number[] | null)[], connections: readonly V
       sum.count += 1;
     }
   }
-  places.forEach((place, i) => {
-    const { x, y, count } = sums[i] ?? { x: 0, y: 0, count: 0 };
-    flat.set(place ?? (count > 0 ? [x / count, y / count] : least), 2 * i);
-  });
-  return flat;
+  return sums.map(({ x, y, count }) => (count === 0 ? null : [x / count, y / count]));
+}
+
+/** Cells of a third of the usual distance: two places in one of them would cover each other. */
+const CELLS = 3;
+
+const cellOf = ([x = 0, y = 0]: readonly number[], step: number) => `${String(Math.round((CELLS * x) / step))} ${String(Math.round((CELLS * y) / step))}`;
+
+/** The first free place from the one that is wanted towards the lower left; it is taken from then on. */
+function freePlace([x, y]: readonly [number, number], step: number, taken: Set<string>): [number, number] {
+  let place: [number, number] = [x, y];
+  for (let k = 1; taken.has(cellOf(place, step)); k++) place = [x - (k * step) / CELLS, y - (k * step) / CELLS];
+  taken.add(cellOf(place, step));
+  return place;
+}
+
+/** So many images without a place stand one below the other before another column of them begins. */
+const LEAST_COLUMN = 4;
+
+/** Places to the left of all that are known, from under their lower end downwards: beside it their names would cover each other. */
+function* placesApart(known: readonly (readonly number[] | null)[], step: number): Generator<[number, number], never> {
+  const { low } = extentOf(known);
+  const rows = Math.max(LEAST_COLUMN, Math.ceil(Math.sqrt(known.filter((place) => place === null).length)));
+  for (let k = 0; ; k++) yield [low[0] - (1 + Math.floor(k / rows)) * step, low[1] - (0.5 + (k % rows)) * step];
 }
 
 /**

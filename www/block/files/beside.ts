@@ -79,21 +79,21 @@ export class BesideFiles {
     return lone.map((name) => say('marks-of-no-image', { name })).join(' ');
   }
 
-  /** Takes tables of control points, of image measurements and of GNSS positions, given with these photos; what is none is left aside, and changes nothing. `count`: those that are said something of. */
-  async tables(files: readonly File[], photos: readonly FoundFile[], here: Here): Promise<{ count: number; aside: string }> {
+  /** Takes tables of control points, of image measurements and of GNSS positions, given with these photos; what is none is left aside, and changes nothing. `files`: those that are said something of. */
+  async tables(given: readonly File[], photos: readonly FoundFile[], here: Here): Promise<{ files: ReadonlySet<File>; aside: string }> {
     const names = new Set([...this.store.state.files, ...photos.map(({ file }) => file)].map(({ name }) => name));
     const aside: string[] = [];
-    let count = 0;
-    for (const file of files) {
+    const files = new Set<File>();
+    for (const file of given) {
       const text = await textIn(file);
       const found = kindOfTable(text, names);
       // Any other text, such as notes, is no table.
       if (found.kind === 'neither' && !CSV.test(file.name) && !hasNumbers(text)) continue;
-      count += 1;
+      files.add(file);
       if (found.kind === 'neither') aside.push(say('is-no-table-of', { name: file.name, why: sentence(found.why) }));
       else if (found.kind !== 'fiducials') await this.takesText(found.kind, file, here);
     }
-    return { count, aside: aside.join(' ') };
+    return { files, aside: aside.join(' ') };
   }
 
   /** Takes a file of text and says what is wrong with it; it stays beside its field until another is given or it is removed. */

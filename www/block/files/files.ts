@@ -126,9 +126,10 @@ export class BlockFiles {
       here,
     );
     here();
-    const aside =
-      found.length - photos.length - film.files.size - tables.count - [project, cameras, geoid].filter((file) => file !== undefined).length + lone.length;
-    if (photos.length > 0 || aside > 0) this.add(here, photos, aside, [why, said].filter((text) => text !== '').join(' '), before);
+    const known = new Set([...photos, project, cameras, geoid].map((one) => one?.file));
+    const others = found.map(({ file }) => file).filter((file) => !known.has(file) && !film.files.has(file) && !tables.files.has(file));
+    const aside = [...others, ...lone].map(({ name }) => name);
+    if (photos.length > 0 || aside.length > 0) this.add(here, photos, aside, [why, said].filter((text) => text !== '').join(' '), before);
     else await this.said(here, [said, film.said === '' ? '' : framesStep(this.store.state)].filter((text) => text !== '').join(' '));
     // A geoid, or heights that would be refused: where the user gives it says which.
     const grids = degrees.map(({ file }) => say('is-a-grid-at-longitudes', { name: file.name })).join(' ');
@@ -227,7 +228,7 @@ export class BlockFiles {
   }
 
   /** `noticed`: what was said before the files were given. */
-  private add(here: Here, found: readonly FoundFile[], aside: number, why: string, noticed: Notice | null): void {
+  private add(here: Here, found: readonly FoundFile[], aside: readonly string[], why: string, noticed: Notice | null): void {
     const files = new Map(this.store.state.files.map((file) => [file.name, file]));
     const before = files.size;
     for (const { file, path } of found) {
@@ -243,19 +244,23 @@ export class BlockFiles {
       // What is given is run; what was given before goes on.
       if (!this.waits && own === null) void this.start(here);
     }
+    if (aside.length > 0) this.store.dispatch({ type: 'skipped', names: aside });
     const runs = this.telling.runsNow();
+    const notImages = aside.length > 0 ? say('skipped-not-an-image-by', { aside: aside.length }) : '';
     const notes = [
       why,
       runs || own !== null ? '' : say('in-the-block', { sorted: images(sorted.length) }),
       own ?? '',
       twice > 0 ? say('skipped-their-names-are-in', { twice: images(twice) }) : '',
-      aside > 0 ? say('skipped-not-an-image-by', { aside }) : '',
+      notImages,
       runs || own !== null ? '' : this.nextStep(sorted.length),
     ].filter((note) => note !== '');
     // What is wrong with a file, or why the block cannot be run, was said just now.
     const { notice } = this.store.state;
     if (notes.length === 0 || (notice?.kind === 'problem' && notice !== noticed)) return;
-    this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: notes.join(' '), beside: runs, passing: notes.length === 1 && why !== '' } });
+    // What the details list afterwards is said while the run goes on: the answer then counts what could not be used.
+    const passing = notes.every((note) => note === why || note === notImages);
+    this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: notes.join(' '), beside: runs, passing } });
   }
 
   /** What the user does next with so many images. */

@@ -101,7 +101,12 @@ function toolsOf(store: BlockStore, map: BlockMap, mosaic: () => void): HTMLElem
   const make = button(say('orthomosaic-2'), 'map-mosaic', mosaic, say('makes-a-quick-orthomosaic-of'));
   map.watch(() => {
     const press = switches.find(([name]) => name === 'orthophoto')?.[1];
-    if (press !== undefined) press.hidden = map.laid() === null;
+    if (press === undefined) return;
+    press.hidden = map.laid() === null;
+    // An orthomosaic of the block itself is not the orthophoto that the view of this name is about.
+    const isOwn = map.orthophoto?.ofBlock != null;
+    setText(press, say(isOwn ? 'orthomosaic-2' : 'orthophoto'));
+    press.title = say(isOwn ? 'the-orthomosaic-of-the-block' : 'the-orthophoto-that-is-given');
   });
   store.watch(['shown', 'files', 'placing', 'running', 'notice'], ([shown, , { orthophoto }]) => {
     // One of an earlier run is made anew; one that was given stays.
@@ -208,9 +213,10 @@ function inWords(map: BlockMap, view: BlockView): string {
   return `${parts.join('. ')}.`;
 }
 
-function extentText({ layout: { places } }: BlockView, system: System): string {
+/** Images that are not oriented are drawn beside the others, and have no place of their own. */
+function extentText({ layout: { kind, places }, images }: BlockView, system: System): string {
   const span = (axis: number) => {
-    const own = places.filter((_, i) => i % 2 === axis);
+    const own = places.filter((_, i) => i % 2 === axis && (kind !== 'oriented' || images[Math.floor(i / 2)]?.oriented === true));
     return own.length === 0 ? 0 : own.reduce((high, value) => Math.max(high, value), -Infinity) - own.reduce((low, value) => Math.min(low, value), Infinity);
   };
   return say('the-images-lie-within-by', {

@@ -119,7 +119,7 @@ function figuresOf(tried: readonly PlacedFile[], unit: LengthUnit): Figure[] {
   const widths = tried.flatMap(({ result }) => (result?.verdict.kind === 'placed' ? [result.verdict.half_width_m] : []));
   const rmse = Math.sqrt(checks.reduce((sum, own) => sum + own.number * own.rmse_m ** 2, 0) / number);
   return [
-    { value: say('of-2', { placements: placements.length, tried: tried.length }), label: say('photos-placed') },
+    { value: say('of-2', { placements: placements.length, tried: tried.length }), label: say('images-placed') },
     ...(placements.length > 0 ? [{ value: count(links), label: say('links-3') }] : []),
     ...(widths.length > 0
       ? [{ value: say('within', { length: gsdText(Number(Math.max(...widths).toPrecision(2)), unit) }), label: say('projection-centres-95') }]

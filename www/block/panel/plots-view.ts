@@ -40,7 +40,7 @@ export function plotsView(facts: Facts): StageView {
       const values = button('CSV', 'plot-csv', () => void saveValues(plot, saved), say('saves-the-values-of-the'));
       const show = () => {
         const data = plot.data();
-        const text = data === null ? '' : plotText(data);
+        const text = data === null ? '' : plotText(data, (store.state.shown?.view.oriented ?? 0) > 0);
         if (words.textContent !== text) words.textContent = text;
         picture.disabled = values.disabled = data === null || data.x.values.length === 0;
       };

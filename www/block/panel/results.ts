@@ -30,15 +30,32 @@ export function mountResults(host: HTMLElement, store: BlockStore, takeOff: () =
   const body = h('div', { testid: 'block-results' });
   host.append(body);
   const off = button(say('without-the-orthophoto'), 'block-off-ground', takeOff, say('the-block-as-it-was'));
-  store.watch(['shown', 'files', 'options', 'placing'], ([shown]) => {
+  store.watch(['shown', 'files', 'options', 'placing', 'skipped'], ([shown, , , , skipped]) => {
     body.classList.toggle('is-stale', isStale(store.state));
     const placed = placedOf(store.state);
     const none = placed === null ? h('p', { class: 'note' }, say('no-block-yet-drop-images')) : null;
-    fill(body, ...(shown === null ? [none] : sectionsOf(shown, off, (text) => readable(store.state.catalogue?.labels ?? null, text))), placed);
+    fill(
+      body,
+      ...(shown === null ? [none] : sectionsOf(shown, off, (text) => readable(store.state.catalogue?.labels ?? null, text))),
+      placed,
+      shown === null ? null : strays(say('other-files-skipped'), 'block-other-files', skipped, say('no-images-by-their-names')),
+    );
   });
   store.watch(['running', 'notice', 'placing'], () => {
     off.disabled = isBusy(store.state);
   });
+}
+
+/** What speaks against a block, the first of these that there is. */
+const REASONS = ['block-warnings', 'block-not-oriented', 'block-facts'];
+
+/** Brings what speaks against the block into sight, and the keyboard to it. */
+export function showReasons(host: HTMLElement): void {
+  const [first] = REASONS.flatMap((testid) => host.querySelector<HTMLElement>(`[data-testid="${testid}"]`) ?? []);
+  if (first === undefined) return;
+  first.tabIndex = -1;
+  first.scrollIntoView({ block: 'start' });
+  first.focus({ preventScroll: true });
 }
 
 /** `written`: a message of the crate as the page writes it. */

@@ -3,7 +3,7 @@ import type { Parameter } from '../../shared/crate';
 import { button, h } from '../../shared/panel/dom';
 import { answerCard } from '../../shared/panel/answer';
 import type { Answer, Figure, Next } from '../../shared/panel/answer';
-import { count, sentence } from '../../shared/text/format';
+import { count, fixed, sentence } from '../../shared/text/format';
 import { firstNamed, readable } from '../../shared/text/names';
 import type { Labels } from '../../shared/text/names';
 import type { BlockStore } from '../engine/engine';
@@ -11,6 +11,7 @@ import { heightsText, placingAnswer, placingRuns } from './placing-answer';
 import { duration, progressBar, runText } from './progress';
 import { orthophotoText } from '../files/ground';
 import { doubtOf } from '../state/doubt';
+import { medianErrors } from '../state/ground';
 import { lackingText } from '../state/lacking';
 import { collectedOf, waitsForMarks } from '../state/marks';
 import { countedPoints } from '../state/point-kinds';
@@ -19,6 +20,7 @@ import { unplacedFiles } from '../state/placed';
 import type { Purpose } from '../state/placing';
 import { framesStep } from '../state/frames-step';
 import { asksPurpose, isHeldByHand, isOffGround, lacksPlaceAlone, purposeOf } from '../state/purpose';
+import { unitOf } from '../state/scale';
 import { isInSystemOf } from '../state/showing';
 import { isBusy, isOutdated } from '../state/state';
 import type { BlockCatalogue, BlockState, Shown } from '../state/state';
@@ -70,7 +72,7 @@ export function mountBlockStatus(store: BlockStore, actions: BlockAnswerActions,
       // Each image and pair would be read out.
       line.setAttribute('aria-live', answer.kind === 'busy' ? 'off' : 'polite');
       show(answer);
-      run.disabled = isBusy(state) || (places(state) ? unplacedFiles(state).length === 0 : state.files.length < 2);
+      run.disabled = isBusy(state) || asksForOrthophoto(state) || (places(state) ? unplacedFiles(state).length === 0 : state.files.length < 2);
       run.textContent = places(state) ? say('place-them') : state.running.kind === 'ended' ? say('go-on') : say('run');
       run.classList.toggle('primary', answer.next == null && !run.disabled && (state.onStage !== 'orthophoto' || places(state)));
       cancel.disabled = !isBusy(state);
@@ -112,6 +114,11 @@ function placed(state: BlockState, actions: BlockAnswerActions): Answer {
 /** Whether it is about images on an orthophoto, each by itself. */
 function places(state: BlockState): boolean {
   return state.onStage === 'orthophoto' && purposeOf(state) === 'images';
+}
+
+/** Whether the view of the orthophoto has none yet: it offers to open one, and nothing else is done there. */
+function asksForOrthophoto({ onStage, placing }: BlockState): boolean {
+  return onStage === 'orthophoto' && placing.orthophoto === null;
 }
 
 /** Whether what is said is of the orthophoto: of images on it, or of a block that is not there yet. */
@@ -269,12 +276,20 @@ function answered(state: BlockState, shown: Shown, actions: BlockAnswerActions):
 
 function figuresOf(view: BlockView): Figure[] {
   return [
-    { value: say('of-4', { oriented: view.oriented, images: view.images.length }), label: say('photos-oriented') },
-    { value: count(view.points.taking), label: say('points-on-several-photos') },
-    ...(view.sigma0Px === null ? [] : [{ value: say('px-2', { value: view.sigma0Px }), label: say('precision') }]),
+    { value: say('of-4', { oriented: view.oriented, images: view.images.length }), label: say('images-oriented-2') },
+    { value: count(view.points.taking), label: say('tie-points-used') },
+    ...(view.sigma0Px === null ? [] : [{ value: say('px-2', { value: view.sigma0Px }), label: say('sigma-of-image-observations') }]),
     // What took no part judges the block from outside: σ₀ does not.
-    ...(view.checks === null ? [] : [checkFigure(view.checks)]),
+    ...(view.checks === null ? groundFigure(view) : [checkFigure(view.checks)]),
   ];
+}
+
+/** What the adjustment expects of its tie points: pixels say nothing of metres. */
+function groundFigure(view: BlockView): Figure[] {
+  const [plan, height] = medianErrors(view);
+  if (unitOf(view) === '' || !Number.isFinite(plan) || !Number.isFinite(height)) return [];
+  const written = (error: number) => fixed(error, error < 1 ? 3 : 2);
+  return [{ value: say('plan-and-height-of', { plan: written(plan), height: written(height) }), label: say('median-errors-of-tie-points') }];
 }
 
 function checkFigure({ points, plan_rmse_m: plan, height_rmse_m: height }: CheckSummary): Figure {

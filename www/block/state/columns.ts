@@ -255,11 +255,13 @@ const PARTS = [say('accepted'), say('rejected-2'), say('rejected-by-hand-2')];
 /** All observations of a block; the same object while both are the same. */
 export const observationRows = remember((view: BlockView, of: ViewObservations): Rows => {
   const { images, points } = view;
+  // What the adjustment did not take has no root mean square together with what it took.
+  const parts = PARTS.map((label, part) => ({ label, has: (row: number) => of.parts[row] === part }));
   const residual = (row: number) => Math.hypot(of.residuals[2 * row] ?? NaN, of.residuals[2 * row + 1] ?? NaN);
   return {
     count: of.points.length,
     columns: [
-      words('observation-image', say('image-2'), (i) => images[of.images[i] ?? -1]?.name ?? '', say('the-image-that-shows-the')),
+      { ...words('observation-image', say('image-2'), (i) => images[of.images[i] ?? -1]?.name ?? '', say('the-image-that-shows-the')), parts },
       pointColumn(view, 'observation-point', (i) => of.points[i], say('number-of-the-point')),
       numbers('observation-x', 'x', 'px', 2, (i) => of.places[2 * i] ?? NaN, say('column-the-centre-of-the')),
       numbers('observation-y', 'y', 'px', 2, (i) => of.places[2 * i + 1] ?? NaN, say('row')),

@@ -34,6 +34,12 @@ export function gsdOf(view: BlockView, ground: ViewGround | null, image: number)
   return ground === null || systemOf(view, ground) === 'own' ? null : numberOf(ground.gsd[image] ?? NaN);
 }
 
+/** The median standard errors of the points that take part, in plan and in height, in the unit of the block; NaN where there are none. */
+export const medianErrors = remember(({ points: { errors, taking } }: Pick<BlockView, 'points'>): [plan: number, height: number] => {
+  const of = (error: (at: number) => number) => median(Array.from({ length: taking }, (_, point) => error(3 * point)).filter(Number.isFinite));
+  return [of((at) => Math.hypot(errors[at] ?? NaN, errors[at + 1] ?? NaN)), of((at) => errors[at + 2] ?? NaN)];
+});
+
 /** NaN of none. */
 export function median(values: Iterable<number>): number {
   const sorted = Float64Array.from(values).sort();

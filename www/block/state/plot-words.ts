@@ -1,5 +1,5 @@
 /** What the values of a plot are like, in words. */
-import { fixed } from '../../shared/text/format';
+import { count, fixed } from '../../shared/text/format';
 import { say } from '../../shared/text/words';
 import type { PlotData } from './plots';
 import { unitText } from '../../shared/text/units';
@@ -9,12 +9,16 @@ function withinSentence(label: string): string {
   return label.replace(/^\p{Lu}(?=\p{Ll})/u, (first) => first.toLowerCase());
 }
 
-export function plotText({ x, y }: PlotData): string {
+/** `isOriented`: of a block that has been; it has whatever it will have. */
+export function plotText({ x, y }: PlotData, isOriented = false): string {
   const sorted = y.values.filter(Number.isFinite).sort();
   const unchecked = y.values.length - sorted.length;
   const more = unchecked === 0 ? '' : say('unchecked-at-the-top', { unchecked });
-  if (sorted.length === 0) return unchecked === 0 ? say('there-are-no-such-values') : more;
-  const at = (share: number) => fixed(sorted[Math.round(share * (sorted.length - 1))] ?? NaN, 3);
+  if (sorted.length === 0) return unchecked === 0 ? say(isOriented ? 'this-block-has-none' : 'there-are-no-such-values') : more;
+  // What is counted has no decimals.
+  const areCounts = y.unit === '' && sorted.every(Number.isInteger);
+  const written = (value: number) => (areCounts ? count(value) : fixed(value, 3));
+  const at = (share: number) => written(sorted[Math.round(share * (sorted.length - 1))] ?? NaN);
   const text = say('values-over-median-from-to', {
     sorted: sorted.length,
     to_lower_case: withinSentence(x.label),

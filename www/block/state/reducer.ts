@@ -27,6 +27,8 @@ import type { BlockView } from './view';
 export type BlockAction =
   | { type: 'ready'; catalogue: BlockCatalogue }
   | { type: 'files'; files: readonly BlockFile[]; truth: BlockModel | null }
+  /** Files were given that are no images. */
+  | { type: 'skipped'; names: readonly string[] }
   | { type: 'options'; options: Partial<BlockOptions> }
   /** The field of a setting holds a value that is not allowed. */
   | { type: 'refused'; parameter: Parameter }
@@ -85,6 +87,8 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
       };
     case 'files':
       return { ...state, files: action.files, truth: action.truth, running: onOtherInput(state.running) };
+    case 'skipped':
+      return { ...state, skipped: [...new Set([...state.skipped, ...action.names])] };
     case 'options':
       return {
         ...state,
@@ -168,6 +172,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
         history: { edits: action.edits.map((edit) => [edit]), done: action.edits.length },
         marks: NO_HISTORY,
         removed: [],
+        skipped: [],
         // The truth is that of the photos that were simulated, not of this block.
         truth: null,
         running: { kind: 'no' },

@@ -89,6 +89,8 @@ export interface BlockState extends Edits {
   files: readonly BlockFile[];
   /** Images that were taken out, and come back when that is undone. */
   removed: readonly BlockFile[];
+  /** Names of files that were given and skipped, since they are no images by name; this browser does not keep them. */
+  skipped: readonly string[];
   /** Of photos that were simulated. */
   truth: BlockModel | null;
   options: BlockOptions;
@@ -116,6 +118,7 @@ export const BLOCK_INITIAL: BlockState = {
   catalogue: null,
   files: [],
   removed: [],
+  skipped: [],
   truth: null,
   options: { settings: null, gps: 'use', cameras: null, control: null, marks: null, positions: null, masks: [], geoid: null },
   refused: null,

@@ -1,4 +1,5 @@
 /** Takes what is given beside the images of a pair: masks, the camera, fiducial marks. Each gives what is said of it. */
+import { Cancelled } from '../../shared/engine/client';
 import { fieldsOf, OWN_SETTINGS } from '../../shared/files/json';
 import type { Here } from '../../shared/files/leaving';
 import { sentence } from '../../shared/text/format';
@@ -22,6 +23,11 @@ export function sideOfMask(mask: File, index: number): Side {
   if (painted !== undefined) return painted as Side;
   if (/right/iu.test(mask.name)) return 'right';
   return /left/iu.test(mask.name) || index === 0 ? 'left' : 'right';
+}
+
+/** Whether a text is meant as a table: its first line has columns. What is wrong with the columns of another text helps nobody. */
+function looksLikeTable(text: string): boolean {
+  return /[,;\t]/u.test(text.trimStart().split('\n', 1)[0] ?? '');
 }
 
 export class BesideFiles {
@@ -62,6 +68,10 @@ export class BesideFiles {
     let text = '';
     try {
       text = await textIn(file);
+    } catch (error) {
+      return this.telling.failed(say('cannot-be-opened', { name: file.name }), error, here);
+    }
+    try {
       const fiducials = await this.engine.client('pair').call('parseFiducials', { text });
       here();
       this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
@@ -69,7 +79,9 @@ export class BesideFiles {
     } catch (error) {
       here();
       if (isOfBlock(text)) return problem(say('is-a-table-of-a-block', { name: file.name }));
-      return this.telling.failed(say('holds-no-fiducial-marks', { name: file.name }), error, here);
+      const what = say('is-no-photograph-and-no-table', { name: file.name });
+      if (!looksLikeTable(text) && !(error instanceof Cancelled)) return problem(sentence(what));
+      return this.telling.failed(what, error, here);
     }
   }
 

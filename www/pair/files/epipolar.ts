@@ -7,10 +7,11 @@ import type { Store } from '../state/store';
 import { baseName } from './export';
 import { projectText } from './project';
 
-export async function exportEpipolar(store: Store, engine: Engine): Promise<void> {
+/** Says itself what came of it, as how far the images fit. */
+export async function exportEpipolar(store: Store, engine: Engine): Promise<null> {
   const { state } = store;
   const { left, right } = state.images;
-  if (left === null || right === null) return;
+  if (left === null || right === null) return null;
   const client = engine.client('report');
   const tell = (kind: 'busy' | 'info', text: string) => store.dispatch({ type: 'notice', notice: { kind, text } });
   try {
@@ -28,4 +29,5 @@ export async function exportEpipolar(store: Store, engine: Engine): Promise<void
     // The images would stay in memory.
     client.cancel();
   }
+  return null;
 }

@@ -150,22 +150,23 @@ function scoreOf(state: State) {
   return score === undefined || !isCurrent(state, 'score') ? null : { matches: score.matches, strict: score.strict, right: score.right, missed: score.missed };
 }
 
-export async function exportMatches(state: State, engine: Engine): Promise<void> {
+/** These give the name of the file that was saved. */
+export async function exportMatches(state: State, engine: Engine): Promise<string | null> {
   const { match, orientation } = shownPair(state);
-  if (match === null) return;
+  if (match === null) return null;
   const text = await engine.client('pair').call('matchesCsv', { matches: match.matches, rejected: orientation?.rejected ?? null });
-  save(new Blob([text], { type: 'text/csv' }), `${baseName(state)}-matches.csv`);
+  return save(new Blob([text], { type: 'text/csv' }), `${baseName(state)}-matches.csv`);
 }
 
-export function exportEverything(state: State): void {
-  save(new Blob([JSON.stringify(everything(state))], { type: 'application/json' }), `${baseName(state)}.json`);
+export function exportEverything(state: State): string {
+  return save(new Blob([JSON.stringify(everything(state))], { type: 'application/json' }), `${baseName(state)}.json`);
 }
 
-export async function exportPicture(state: State, view: View): Promise<void> {
+export async function exportPicture(state: State, view: View): Promise<string> {
   const canvas = view.snapshot();
   const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
   if (blob === null) throw new Error(say('the-picture-is-too-large'));
-  save(blob, `${baseName(state)}.png`);
+  return save(blob, `${baseName(state)}.png`);
 }
 
 export function baseName(state: State): string {

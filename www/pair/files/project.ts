@@ -15,12 +15,12 @@ const STANDING_SIDE = 256;
 /** Its grey value. */
 const STANDING_GREY = 0x80;
 
-/** Writes all that is known of the pair. */
-export async function exportProject(store: Store, engine: Engine): Promise<void> {
+/** Writes all that is known of the pair; gives the name of the file. */
+export async function exportProject(store: Store, engine: Engine): Promise<string> {
   const { state } = store;
   const text = await projectText(state, engine);
   if (text === null) throw new Error(say('the-pair-is-not-matched'));
-  save(new Blob([text], { type: 'application/octet-stream' }), `${baseName(state)}.tiepoint`);
+  return save(new Blob([text], { type: 'application/octet-stream' }), `${baseName(state)}.tiepoint`);
 }
 
 /** The text of the pair's project file; null while parts of it are missing or out of date. */

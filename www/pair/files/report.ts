@@ -47,9 +47,10 @@ function inputOf(state: State): ReportInput | null {
   };
 }
 
-export async function exportReport(store: Store, engine: Engine): Promise<void> {
+/** Says itself what came of it, as the steps before. */
+export async function exportReport(store: Store, engine: Engine): Promise<null> {
   const input = inputOf(store.state);
-  if (input === null) return;
+  if (input === null) return null;
   const tell = (text: string) => store.dispatch({ type: 'notice', notice: { kind: 'busy', text } });
   const client = engine.client('report');
   try {
@@ -61,10 +62,10 @@ export async function exportReport(store: Store, engine: Engine): Promise<void> 
     }
     tell(say('report-step-of-writing', { steps: steps.length + 1 }));
     const page = await client.call('reportPage', null);
-    save(new Blob([page], { type: 'text/html' }), `${baseName(store.state)}-report.html`);
+    const name = save(new Blob([page], { type: 'text/html' }), `${baseName(store.state)}-report.html`);
     // Other strategies match by themselves.
-    const text = say('the-report-was-saved-it');
-    store.dispatch({ type: 'notice', notice: input.edits === null ? null : { kind: 'info', text } });
+    const text = [say('was-saved', { name }), input.edits === null ? '' : say('its-run-has-the-edits')].join(' ').trimEnd();
+    store.dispatch({ type: 'notice', notice: { kind: 'info', text, beside: true } });
   } catch (error) {
     if (!(error instanceof Cancelled)) throw error;
     store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('the-report-was-cancelled') } });
@@ -72,4 +73,5 @@ export async function exportReport(store: Store, engine: Engine): Promise<void> 
     // Its images and results would stay in memory.
     client.cancel();
   }
+  return null;
 }

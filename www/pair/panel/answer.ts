@@ -92,7 +92,7 @@ function figuresOf(state: State, result: OrientedPair): Figure[] {
     { value: count(used), label: say('points-on-both-photos') },
     ...(interior === undefined || result.sigma0_mm == null
       ? []
-      : [{ value: say('px-2', { value: result.sigma0_mm / pixelMm(interior) }), label: say('precision') }]),
+      : [{ value: say('px-2', { value: result.sigma0_mm / pixelMm(interior) }), label: say('sigma-of-image-observations') }]),
     ...(half == null ? [] : [{ value: `${fixed(result.kappa_deg, digits)}° ± ${fixed(half, digits)}°`, label: say('right-photo-turned') }]),
   ];
 }

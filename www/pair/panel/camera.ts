@@ -74,6 +74,11 @@ function focalPxField(store: Store): NumberField & { note: HTMLElement } {
   return { ...field, note };
 }
 
+/** Brings the keyboard to where a camera is given: in px a focal length says enough alone, in mm where the photos are scans. */
+export function focusFocalLength(host: HTMLElement): void {
+  host.querySelector<HTMLInputElement>('[data-testid^="camera-focal"]:enabled')?.focus();
+}
+
 /** What takes the camera that the file of one photo names for the other one too: the keyboard goes on in the fields that then show it. */
 function sharedCamera(store: Store, fields: readonly NumberField[]): HTMLElement {
   const use = button('', 'camera-for-both', () => {

@@ -45,6 +45,12 @@ export function pickerOf(files: Files): Pick {
   };
 }
 
+/** Gives the name of the file; null where it says itself what came of it. */
+type Writing = () => string | null | Promise<string | null>;
+
+/** `near`: the `data-testid` of the button. */
+export type Saving = (near: string, write: Writing) => Promise<void>;
+
 export interface HeaderParts {
   store: Store;
   engine: Engine;
@@ -52,8 +58,8 @@ export interface HeaderParts {
   files: Files;
   pick: Pick;
   attempt: (action: () => void | Promise<void>) => Promise<void>;
-  /** Saves something, and says beside a button what stands in the way. */
-  saving: (near: string, action: () => void | Promise<void>) => Promise<void>;
+  /** Saves something, and says what was saved, or beside a button what stands in the way. */
+  saving: Saving;
   /** Photographs a block and runs it. */
   sampleBlock: () => void;
 }
@@ -65,8 +71,8 @@ export function mountHeader({ store, engine, view, files, pick, attempt, saving,
   const on = (id: string, action: () => void | Promise<void>) => {
     byId(id).addEventListener('click', () => void attempt(action));
   };
-  const onExport = (id: string, action: () => void | Promise<void>) => {
-    byId(id).addEventListener('click', () => void saving('export-menu', action));
+  const onExport = (id: string, write: Writing) => {
+    byId(id).addEventListener('click', () => void saving('export-menu', write));
   };
   for (const id of ['open', 'open-first']) on(id, () => pick(null));
   for (const id of ['sample', 'sample-first']) on(id, () => files.takeSample());

@@ -82,6 +82,7 @@ function answerWith(state: State, notice: Notice | null, actions: AnswerActions)
   if (refused !== undefined) return line('problem', refusedText(refused));
   const answer = resting(state, done < wanted, actions);
   if (notice === null) return answer;
+  if (notice.beside === true) return { ...answer, said: notice.text };
   if (answer.verdict === null) return line('idle', notice.text);
   return { ...answer, more: `${answer.more ?? ''} ${notice.text}`.trimStart() };
 }

@@ -12,6 +12,8 @@ interface Action {
   more: string;
   keys: readonly string[];
   run: () => void;
+  /** Its button cannot be pressed as things are. */
+  disabled?: boolean;
 }
 
 /** `press` opens the search. */
@@ -36,7 +38,7 @@ export function mountActions(press: HTMLElement): void {
   });
 }
 
-/** What keys do in views that are seen now, what buttons do, and the settings. What a button and its keys do is one action. */
+/** What keys do in views that are seen now, what buttons do, and the settings. What a button and its keys do is one action. What cannot be done as things are comes last. */
 function actions(): Action[] {
   const made = [...document.querySelectorAll('button')].filter(
     (button) => button.closest('dialog, table, .control, .history, .facts') === null && !button.matches(UNNAMED) && reachable(button),
@@ -49,8 +51,10 @@ function actions(): Action[] {
         .filter(({ keys, can }) => can?.() !== false && !keys.some((key) => ofButtons.has(key)))
         .map(({ keys, does, run }) => ({ name: sentenceOf(does), more: where, keys, run: () => run(false) })),
     );
-  const buttons = once(made.filter(({ disabled }) => !disabled)).map((button) => ({
+  // Of two that do the same, one that can be pressed stands for both.
+  const all = once([...made].sort((a, b) => Number(a.disabled) - Number(b.disabled))).map((button) => ({
     name: nameOf(button),
+    disabled: button.disabled,
     more: [...new Set([groupOf(twinOf(button) ?? button), tabOf(button), kindOf(button), button.title])]
       .filter((text) => text !== '' && !saysName(button, text))
       .join(' · '),
@@ -71,7 +75,7 @@ function actions(): Action[] {
       label.control?.focus();
     },
   }));
-  return [...buttons, ...commands, ...settings];
+  return [...all.filter(({ disabled }) => !disabled), ...commands, ...settings, ...all.filter(({ disabled }) => disabled)];
 }
 
 /** Buttons that only unfold what is listed itself, or close what is open. */
@@ -173,14 +177,14 @@ class Search {
     const words = this.input.value.toLowerCase().split(/\s+/u);
     const text = ({ name, more }: Action) => `${name} ${more}`.toLowerCase();
     // What is named by the words comes before what is explained by them.
-    const rank = ({ name }: Action) => (words.every((word) => name.toLowerCase().includes(word)) ? 0 : 1);
+    const rank = ({ name, disabled }: Action) => (words.every((word) => name.toLowerCase().includes(word)) ? 0 : 1) + (disabled === true ? 2 : 0);
     this.found = this.all.filter((action) => words.every((word) => text(action).includes(word))).sort((a, b) => rank(a) - rank(b));
-    const rows = this.found.map(({ name, more, keys }, place) => {
+    const rows = this.found.map(({ name, more, keys, disabled = false }, place) => {
       const row = h(
         'li',
-        { role: 'option', id: `search-${String(place)}` },
+        { role: 'option', id: `search-${String(place)}`, aria: disabled ? { disabled: 'true' } : {} },
         h('span', {}, name),
-        h('small', {}, more),
+        h('small', {}, [disabled ? say('not-possible-now') : '', more].filter((text) => text !== '').join(' · ')),
         keys.length === 0 ? null : keysOf(keys),
       );
       row.addEventListener('click', () => this.run(place));
@@ -204,7 +208,7 @@ class Search {
 
   private run(place: number): void {
     const action = this.found[place];
-    if (action === undefined) return;
+    if (action === undefined || action.disabled === true) return;
     this.dialog.close();
     action.run();
   }

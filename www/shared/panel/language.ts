@@ -34,8 +34,10 @@ function withKeys(text: string): (string | HTMLElement)[] {
 /** The button names the other language, in its own words. The page is loaded again in it, with what was kept; `keeper` is null while there is nothing to keep. */
 export function mountLanguage(press: HTMLElement, keeper: () => Keeper | null): void {
   const other: Language = LANGUAGE === 'en' ? 'ar' : 'en';
-  press.textContent = LANGUAGES[other].name;
-  press.lang = other;
+  // Its title is of the language of the page.
+  const name = h('span', {}, LANGUAGES[other].name);
+  name.lang = other;
+  fill(press, name);
   press.addEventListener('click', () => void change(other, keeper()));
 }
 

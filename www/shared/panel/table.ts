@@ -49,6 +49,8 @@ const TOTALS: Readonly<Record<Total, string>> = { sum: 'Σ', mean: say('mean'), 
 
 export class Table {
   private readonly help: HTMLElement;
+  /** What is typed over a column and cannot be read. */
+  private readonly problem: HTMLElement;
   private readonly table: RowsInSight;
   private readonly bar: TableBar | null;
   private all: readonly Column[] = [];
@@ -73,6 +75,13 @@ export class Table {
   ) {
     const { testid, words, file } = options;
     this.help = h('p', { class: 'help', hidden: true, testid: `${testid}-help` });
+    this.problem = h('p', {
+      class: 'field-problem',
+      id: `${testid}-filter-problem`,
+      testid: `${testid}-filter-problem`,
+      role: 'status',
+      aria: { live: 'polite' },
+    });
     this.table = new RowsInSight(testid, words, (place) => this.row(this.shown[place] ?? 0, place));
     this.bar =
       file === undefined
@@ -82,7 +91,9 @@ export class Table {
             words.table,
             {
               hide: (hidden) => this.hide(hidden),
-              csv: async () => save(new Blob([csvOf(this.columns, this.shown, await intoEnglish())], { type: 'text/csv' }), file),
+              csv: async () => {
+                save(new Blob([csvOf(this.columns, this.shown, await intoEnglish())], { type: 'text/csv' }), file);
+              },
               copied: async () => tabbedOf(this.columns, this.shown, await intoEnglish()),
               clear: () => {
                 if (options.showAll === undefined) options.filter?.({});
@@ -91,7 +102,7 @@ export class Table {
             },
             options.tools ?? [],
           );
-    host.append(...(this.bar === null ? [] : [this.bar.element]), this.help, this.table.scroller);
+    host.append(...(this.bar === null ? [] : [this.bar.element]), this.help, this.problem, this.table.scroller);
     this.table.table.addEventListener('keydown', (event) => this.key(event));
     if (options.choose !== undefined && (options.chooseMore !== undefined || options.isChosen !== undefined))
       this.table.table.setAttribute('aria-multiselectable', 'true');
@@ -182,6 +193,7 @@ export class Table {
     input.addEventListener('input', () => {
       const condition = conditionOf(input.value, words === true);
       input.setAttribute('aria-invalid', String(condition === undefined));
+      this.showProblem();
       if (condition === undefined) return;
       const { [key]: _, ...others } = this.conditions;
       this.options.filter?.(condition === null ? others : { ...others, [key]: condition });
@@ -200,6 +212,19 @@ export class Table {
       input.value = conditionText(this.conditions[key]);
       input.removeAttribute('aria-invalid');
     }
+    this.showProblem();
+  }
+
+  /** Says what can be typed where what is typed cannot be read: the rows stay as they are. */
+  private showProblem(): void {
+    const fields = [...this.table.head.querySelectorAll<HTMLInputElement>('input.filter')];
+    const wrong = fields.find((field) => field.getAttribute('aria-invalid') === 'true');
+    for (const field of fields) {
+      if (field === wrong) field.setAttribute('aria-describedby', this.problem.id);
+      else field.removeAttribute('aria-describedby');
+    }
+    const text = wrong === undefined ? '' : say('is-no-number-or-range', { typed: wrong.value.trim() });
+    if (this.problem.textContent !== text) this.problem.textContent = text;
   }
 
   private press(row: number, { shiftKey, ctrlKey, metaKey }: Pick<MouseEvent, 'shiftKey' | 'ctrlKey' | 'metaKey'>): void {

@@ -54,7 +54,7 @@ fiducial-of-the-image-from = { $fiducials ->
         [left] اليسرى
        *[right] اليمنى
     } من { $name }.
-holds-no-fiducial-marks = لا يحوي { $name } علامات إطارية
+is-no-photograph-and-no-table = ليس { $name } صورة ولا جدولًا معروفًا هنا
 is-a-table-of-a-block = لا يحوي { $name } علامات إطارية: يُقرأ نقاطَ ضبط أو قياسات صورية أو مواضع GNSS، وهي للكتلة. أعطه مع الصور تحت «الكتلة».
 camera-data-from = بيانات الكاميرا من { $name }.
 holds-no-camera-data = لا يحوي { $name } بيانات كاميرا
@@ -78,7 +78,7 @@ the-pair-is-not-matched = لم يُطابَق الزوج بالإعدادات ا
 report-reading-the-images = التقرير: تجري قراءة الصور …
 report-step-of-matching = التقرير، الخطوة { $i } من { $steps }: المطابقة، { $step } …
 report-step-of-writing = التقرير، الخطوة { $steps } من { $steps }: الكتابة …
-the-report-was-saved-it = حُفظ التقرير. وفي تشغيله التعديلات اليدوية، أما الاستراتيجيات الأخرى فتطابق من جديد دونها.
+its-run-has-the-edits = في تشغيله التعديلات اليدوية، أما الاستراتيجيات الأخرى فتطابق من جديد دونها.
 the-report-was-cancelled = أُلغي التقرير.
 epipolar-images-are-made = الصورتان القطبيتان: جارٍ إعادة التشكيل…
 epipolar-images-were-saved = حُفظت الصورتان القطبيتان: اليسرى واليمنى وصورة مجسَّمة (أناغليف). بقي من اختلاف المنظر الصادي لـ { COUNT($points) } من النقاط { FIXED($left_over, digits: 2) } بكسل (الجذر التربيعي لمتوسط المربعات).

@@ -285,7 +285,6 @@ choose-one-or-more-images = Choose one or more images first.
 pixel-of-the-orthomosaic = Side of a pixel of the orthomosaic, in units of the block; empty: that of the images
 pixel-as-the-images = Pixel: as the images
 writing = Writing { $names } …
-was-saved = { $name } was saved.
 cancelled-nothing-was-saved-the = Cancelled: nothing was saved. The block is unchanged.
 was-not-written = { $names } was not written: { $reason }.
 
@@ -363,6 +362,7 @@ footprints = Footprints
 what-each-image-covers-of = What each image covers of level ground at the height of its points
 offsets = Offsets
 gnss-positions-and-differences-of = GNSS positions and differences of ground control and check points, drawn longer than they are
+the-orthomosaic-of-the-block = The orthomosaic of the block, under all else
 the-orthophoto-that-is-given = The orthophoto that is given, under all else
 lasso = Lasso
 shift-and-a-drag-chooses = Shift and a drag chooses tie points within a free outline, in place of a rectangle
@@ -528,7 +528,7 @@ save-positions-csv = Save positions (CSV)
 open-heights = Open heights …
 place-them = Place
 of-2 = { COUNT($placements) } of { COUNT($tried) }
-photos-placed = photos placed
+images-placed = images placed
 rmse-of-check-links-on = RMSE of check links on the ground
 
 ## panel/placing-exports
@@ -622,6 +622,7 @@ plot-of-the-block = Plot of the block
 plot = Plot
 saves-the-plot-as-it = Saves the plot as it is shown, as a picture
 saves-the-values-of-the = Saves the values of the plot
+this-block-has-none = There are no such values: this block has none.
 there-are-no-such-values = There are no such values: this block has none, or is not oriented yet.
 n--2 = {" "}{ $unit }
 axis-title = { $label }, { $unit }
@@ -709,6 +710,8 @@ angles = Angles
 root-mean-square-angle-between = Root mean square angle between the oriented and the true attitudes after the same transformation.
 single = , { COUNT($alone) } single
 the-largest-of = { COUNT($sizes) } (the largest of { COUNT($largest) }){ $what }
+other-files-skipped = Other files, skipped
+no-images-by-their-names = no images by their names
 skipped-that-cannot-be-read = Skipped: { COUNT($left_out) } that cannot be used
 not-oriented = Not oriented: { COUNT($lost) }
 and-more-in-the-table = and { COUNT($rest) } more in the table of images
@@ -768,12 +771,13 @@ the-work-done-is-kept = {" "}The work done is kept.
 the-block-was-not-finished = The block was not finished: { $failure }{ $what }
 images-or-settings-have-changed = Images or settings have changed: press Run.
 open-the-images-of-a = Open the images of a block: files, a folder, or a simulated block.
-photos-oriented = photos oriented
-points-on-several-photos = points on several photos
+tie-points-used = tie points used
 rmse-of-check-points = { $points ->
     [one] 1 check point, RMSE in plan · in height
    *[other] { COUNT($points) } check points, RMSE in plan · in height
 }
+median-errors-of-tie-points = tie points, median σ in plan · in height
+plan-and-height-of = { $plan } · { $height } m
 plan-and-height-m = { FIXED($plan, digits: 3) } · { FIXED($height, digits: 3) } m
 control-places-the-block = The block lies where its control points place it. It can be placed on the orthophoto, too.
 a-block-on-an-orthophoto = The block can be placed on it: it then lies in its system, without a control point.

@@ -66,7 +66,7 @@ fiducial-of-the-image-from = { $fiducials } fiducial { $fiducials ->
         [left] left
        *[right] right
     } image from { $name }.
-holds-no-fiducial-marks = { $name } holds no fiducial marks
+is-no-photograph-and-no-table = { $name } is no photograph and no table that is known here
 is-a-table-of-a-block = { $name } holds no fiducial marks: it can be read as control points, image measurements or GNSS positions, which belong to a block. Give it with the photos under “Block”.
 camera-data-from = Camera data from { $name }.
 holds-no-camera-data = { $name } holds no camera data
@@ -94,7 +94,7 @@ the-pair-is-not-matched = the pair is not matched with the present settings yet
 report-reading-the-images = Report: reading the images …
 report-step-of-matching = Report, step { $i } of { $steps }: matching, { $step } …
 report-step-of-writing = Report, step { $steps } of { $steps }: writing …
-the-report-was-saved-it = The report was saved. Its run has the edits by hand; the other strategies match by themselves.
+its-run-has-the-edits = Its run has the edits by hand; the other strategies match by themselves.
 the-report-was-cancelled = The report was cancelled.
 epipolar-images-are-made = Epipolar images: resampling …
 epipolar-images-were-saved = The epipolar images were saved: left, right and an anaglyph. Residual y-parallax of { COUNT($points) } points: { FIXED($left_over, digits: 2) } px (RMS).

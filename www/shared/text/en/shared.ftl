@@ -59,8 +59,9 @@ method = Method
 files = Files
 open-your-photos = Open your photos …
 save-the-project = Save the project
+was-saved = { $name } was saved.
 px-2 = { FIXED($value, digits: 2) } px
-precision = precision (σ₀)
+sigma-of-image-observations = σ₀ of image observations
 moves-the-measured-point-by = moves the measured point by 0.1 px; with Shift by 1 px
 shows-one-image-pixel-as = shows one image pixel as one screen pixel
 this-browser-offers-no-canvas = this browser offers no canvas to draw on
@@ -125,6 +126,7 @@ all-keys = All keys
 what-do-you-want-to = What do you want to do?
 tab = tab
 no-action-has-these-words = No action has these words.
+not-possible-now = not possible now
 every-picture = Every picture
 keys = Keys
 
@@ -263,6 +265,7 @@ mean = mean
 contains = contains
 rows-that-contain-this-text = rows that contain this text
 rows-within-these-limits-as = rows within these limits, as 2..5, >2 or ≤0.5
+is-no-number-or-range = “{ $typed }” is no number or range. Allowed: 2, 2..5, >2 or ≤0.5. The rows stay as they are.
 in-2 = {" "}in { $unit }
 filter = Filter: { $label }{ $what }
 show-all = Show all
@@ -281,6 +284,8 @@ theme-auto = Theme: auto
 theme-light = Theme: light
 theme-dark = Theme: dark
 theme = Theme
+language-of-the-page = Language of the page
+light-dark-or-as-the = Light, dark, or as the system has it
 
 ## panel/zoom
 
