@@ -29,6 +29,8 @@ const CONVERGENCE_PX: f64 = 0.02;
 /// of the right ones.
 const UNCONFIRMED_PX: f64 = 1.5;
 const UNCONFIRMED: f64 = 3.0;
+/// Confirmed matches farther away than this, in px, tell nothing of a surface that may break between them and a match.
+const CONFIRMING_PX: f64 = 32.0;
 
 /// Adds matches of left points that have none, by least squares matching from the place and with the deformation that the nearest matches
 /// foretell. Matches that least squares matching did not confirm are tried so as well, from their own place first; what it still does not confirm is
@@ -109,7 +111,7 @@ fn reject_unconfirmed(positions: &[[f64; 2]], verdicts: &mut [Verdict]) {
     let (from, to) = seen(positions, verdicts, |verdict| verdict.fit.is_some());
     let foretelling = Foretelling::new(&from, &to);
     for (position, verdict) in positions.iter().zip(verdicts).filter(|(_, verdict)| verdict.fit.is_none()) {
-        let (Some(place), Some(map)) = (verdict.matched(), foretelling.about(*position)) else { continue };
+        let (Some(place), Some(map)) = (verdict.matched(), foretelling.within(*position, CONFIRMING_PX)) else { continue };
         // Features of a coarser image are located in its px.
         let px = f64::from(1u32 << Halvings::of(map.affine).0[1]);
         if distance(place, map.place) > (UNCONFIRMED_PX * px).max(UNCONFIRMED * map.scatter_px) {

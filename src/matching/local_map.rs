@@ -80,10 +80,19 @@ impl<'m> Foretelling<'m> {
 
     /// The map of those that are nearest to a left position: of the others, where a match starts there.
     pub fn about(&self, position: [f64; 2]) -> Option<LocalMap> {
+        self.within(position, f64::INFINITY)
+    }
+
+    /// The same, where all of them lie within so many px.
+    pub fn within(&self, position: [f64; 2], farthest_px: f64) -> Option<LocalMap> {
         let mut near = Vec::new();
         self.neighbours.nearest_to(position, LocalMap::NEIGHBOURS, |other| self.left[other] != position, &mut near);
         // Sums are the same in one order only.
         near.sort_unstable();
+        let is_far = |n: &usize| libm::hypot(self.left[*n][0] - position[0], self.left[*n][1] - position[1]) > farthest_px;
+        if near.iter().any(is_far) {
+            return None;
+        }
         LocalMap::about(position, near.iter().map(|n| (self.left[*n], self.right[*n])))
     }
 }

@@ -15,8 +15,9 @@ const LEAST_PLACES: usize = 16;
 const LEAST_MATCHES: usize = 120;
 /// The least share of the matches that agree with a right orientation: of moments, three quarters are right where it is hard.
 const LEAST_SHARE: f64 = 0.6;
-/// The least share of the points of the image with fewer that is matched where photos show the same ground; repeated patterns reach 4 %.
-const LEAST_MATCHED: f64 = 0.035;
+/// The least share of the points of the image with fewer that is matched where photos show the same ground, without matches that confirmed ones
+/// contradict; repeated patterns reach 4 %.
+const LEAST_MATCHED: f64 = 0.03;
 /// Half the widths of the intervals of an angle and of the direction of the base within which an orientation is of use.
 const LARGEST_ANGLE_DEG: f64 = 5.0;
 const LARGEST_BASE_DEG: f64 = 20.0;
