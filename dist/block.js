@@ -7170,10 +7170,9 @@ function pairRows({ images, connections }) {
 }
 function pointRows(view) {
 	const { points } = view;
-	const coordinates = pointCoordinates(view);
 	const system = resultSystem(view);
 	const unit = unitOf(view);
-	const axis = (label, offset) => [numbers(label.toLowerCase(), headOf(system, label), unitOn(system, offset), 2 + moreOn(system, offset), (i) => coordinates[3 * i + offset] ?? NaN, helpOf(system, label, say("object-coordinate-in-m-where"))), numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
+	const axis = (label, offset) => [numbers(label.toLowerCase(), headOf(system, label), unitOn(system, offset), 2 + moreOn(system, offset), (i) => pointCoordinates(view)[3 * i + offset] ?? NaN, helpOf(system, label, say("object-coordinate-in-m-where"))), numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
 	const kindOf = (point) => KINDS[surveyedAt(view, point)?.role ?? "tie"];
 	return {
 		count: points.count,

@@ -271,12 +271,12 @@ fn two_images_that_few_matches_join_are_weak_as_a_pair_is_and_a_third_image_chec
         BlockVerdict::of(&run)
     };
     let (two, three) = (of(2), of(3));
-    let weak = judged(two.clone(), 279);
-    let BlockVerdict::Weak { overview_warning: OverviewWarning::FewMatches { matches: 279, least: 280 }, .. } = weak else {
+    let weak = judged(two.clone(), 239);
+    let BlockVerdict::Weak { overview_warning: OverviewWarning::FewMatches { matches: 239, least: 240 }, .. } = weak else {
         panic!("{weak}")
     };
-    assert_eq!(weak.to_string().matches("Only 279 matches").count(), 1, "{weak}");
-    for enough in [judged(two, 280), judged(three, 279)] {
+    assert_eq!(weak.to_string().matches("Only 239 matches").count(), 1, "{weak}");
+    for enough in [judged(two, 240), judged(three, 239)] {
         assert!(!matches!(enough, BlockVerdict::Weak { overview_warning: OverviewWarning::FewMatches { .. }, .. }), "{enough}");
     }
 }

@@ -109,7 +109,6 @@ function pairRows({ images, connections }: BlockView): Rows {
 
 function pointRows(view: BlockView): Rows {
   const { points } = view;
-  const coordinates = pointCoordinates(view);
   const system = resultSystem(view);
   const unit = unitOf(view);
   const axis = (label: string, offset: number) => [
@@ -118,7 +117,7 @@ function pointRows(view: BlockView): Rows {
       headOf(system, label),
       unitOn(system, offset),
       2 + moreOn(system, offset),
-      (i) => coordinates[3 * i + offset] ?? NaN,
+      (i) => pointCoordinates(view)[3 * i + offset] ?? NaN,
       helpOf(system, label, say('object-coordinate-in-m-where')),
     ),
     numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say('standard-error-of-from-the', { label }), {
