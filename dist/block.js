@@ -2140,9 +2140,9 @@ function sourceOf$1({ points }, point) {
 	if (code === void 0 || kind === void 0) return null;
 	return { [kind]: Math.floor(code / SOURCES.length) };
 }
-var places$1 = remember((sources) => new Map([...sources].map((code, point) => [code, point])));
+var places$2 = remember((sources) => new Map([...sources].map((code, point) => [code, point])));
 function indexOfSource({ points }, source) {
-	return places$1(points.sources).get(codeOfSource(source)) ?? -1;
+	return places$2(points.sources).get(codeOfSource(source)) ?? -1;
 }
 function choiceAfterEdit(choice, before, after) {
 	if (choice === null || choice.kind === "given") return choice;
@@ -2593,12 +2593,12 @@ function surveyedAt({ surveyed }, point) {
 	return surveyedOf(surveyed).get(point);
 }
 function pointText$1(view, point) {
-	return surveyedAt(view, point)?.name ?? count(point + 1);
+	return surveyedAt(view, point)?.name ?? count(view.points.numbers[point] ?? null);
 }
 function pointColumn(view, key, point, help) {
 	const index = (row) => point(row) ?? NaN;
 	return {
-		...numbers(key, say("point"), "", 0, (row) => index(row) + 1, help),
+		...numbers(key, say("point"), "", 0, (row) => view.points.numbers[index(row)], help),
 		text: (row) => pointText$1(view, index(row))
 	};
 }
@@ -2616,7 +2616,7 @@ var countedPoints = remember(({ points, surveyed }) => {
 			points: known.length,
 			observations: own
 		},
-		gone: points.count - points.taking - (all.length - known.length)
+		gone: points.count - points.taking - points.lost.size - (all.length - known.length)
 	};
 });
 // www/block/state/words.ts
@@ -2720,7 +2720,7 @@ function describePairs(view, pairs) {
 	});
 }
 function nameOfPoint(view, point) {
-	return surveyedAt(view, point)?.name ?? say("point-of-number", { number: point + 1 });
+	return surveyedAt(view, point)?.name ?? say("point-of-number", { number: view.points.numbers[point] ?? 0 });
 }
 function describePoint(view, point) {
 	const { points } = view;
@@ -2743,7 +2743,7 @@ function describePoint(view, point) {
 			z
 		], 2) : say("not-intersected"),
 		errors.every(known$1) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(" ")}`) : "",
-		point < points.taking ? "" : say("rejected-by-hand-2")
+		point < points.taking ? "" : say(points.lost.has(point) ? "rejected-2" : "rejected-by-hand-2")
 	].filter((part) => part !== "").join("; ")}.`;
 }
 function describeGiven(view, given, name) {
@@ -2786,7 +2786,7 @@ function describePoints(view, chosen) {
 		squares += rays * rmse * rmse;
 		adjusted += rays;
 	}
-	const gone = chosen.length - chosen.filter((point) => point < points.taking).length;
+	const gone = chosen.length - chosen.filter((point) => point < points.taking || points.lost.has(point)).length;
 	const rays = least === most ? count(most) : say("to", {
 		least,
 		most
@@ -6874,12 +6874,14 @@ var VIEWS = [
 var MOST_POINTS = 100;
 var MOST_IMAGES = 50;
 var MOST_PAIRS = 25;
+var places$1 = remember((numbers) => new Map([...numbers].map((number, point) => [number, point])));
 function addressOf({ shown, onStage, selection: { chosen } }) {
 	if (shown === null) return "";
 	const named = new URLSearchParams({ view: onStage });
 	const name = (image) => shown.view.images[image]?.name ?? "";
+	const { numbers } = shown.view.points;
 	const points = pointsOf(chosen);
-	if (points.length > 0 && points.length <= MOST_POINTS) named.set("point", [...points].map((point) => String(point + 1)).join(","));
+	if (points.length > 0 && points.length <= MOST_POINTS) named.set("point", [...points].map((point) => String(numbers[point] ?? 0)).join(","));
 	if (chosen?.kind === "image" || chosen?.kind === "observation") named.append("image", name(chosen.image));
 	if (chosen?.kind === "images" && chosen.images.length <= MOST_IMAGES) for (const image of chosen.images) named.append("images", name(image));
 	if (chosen?.kind === "pair") for (const image of chosen.images) named.append("image", name(image));
@@ -6920,7 +6922,7 @@ function asked(address, view) {
 	const several = named.getAll("images").map(indexOf).filter((image) => image >= 0);
 	const ofPairs = named.getAll("pairs").map(indexOf);
 	const pairs = ofPairs.flatMap((a, at) => at % 2 === 0 ? [[a, ofPairs[at + 1] ?? -1]] : []).filter((pair) => !pair.includes(-1));
-	const points = (named.get("point") ?? "").split(",").map((number) => Number(number) - 1).filter((point) => Number.isInteger(point) && point >= 0 && point < view.points.count);
+	const points = (named.get("point") ?? "").split(",").map((number) => places$1(view.points.numbers).get(Number(number)) ?? -1).filter((point) => point >= 0);
 	if (pairs.length > 0) return {
 		view: wanted,
 		choice: choiceOfPairs(pairs)
@@ -7173,6 +7175,10 @@ function pointRows(view) {
 	const system = resultSystem(view);
 	const unit = unitOf(view);
 	const axis = (label, offset) => [numbers(label.toLowerCase(), headOf(system, label), unitOn(system, offset), 2 + moreOn(system, offset), (i) => pointCoordinates(view)[3 * i + offset] ?? NaN, helpOf(system, label, say("object-coordinate-in-m-where"))), numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
+	const parts = points.count === points.taking ? [] : [{
+		label: say("accepted"),
+		has: (row) => row < points.taking
+	}];
 	const kindOf = (point) => KINDS[surveyedAt(view, point)?.role ?? "tie"];
 	return {
 		count: points.count,
@@ -7185,9 +7191,16 @@ function pointRows(view) {
 			...axis("Y", 1),
 			...axis("Z", 2),
 			numbers("confidence", say("probability"), "", 3, (i) => points.confidence[i] ?? NaN, say("probability-that-all-its-observations"), { total: "mean" }),
-			words("point-part", say("part"), (i) => i < points.taking ? say("accepted") : say("rejected-by-hand-2"), say("whether-the-point-takes-part"))
+			{
+				...words("point-part", say("part"), (i) => partOfPoint(points, i), say("whether-the-point-takes-part")),
+				parts
+			}
 		]
 	};
+}
+function partOfPoint({ taking, lost }, point) {
+	if (point < taking) return say("accepted");
+	return lost.has(point) ? say("rejected-2") : say("rejected-by-hand-2");
 }
 var KINDS = {
 	tie: say("tie-point-2"),
@@ -7504,6 +7517,7 @@ function oneTable(host, store, looking, source) {
 			region: say("table", { title })
 		},
 		file: `block-${subject}.csv`,
+		...subject === "points" ? { order: "point" } : {},
 		tools,
 		point: (row) => looking.point(ofRow(row)),
 		filter: (filter) => store.dispatch({
@@ -8787,7 +8801,8 @@ var Measuring = class {
 			return;
 		}
 		const [point, ...more] = pointsOf(chosen);
-		if (!anew && point !== void 0 && point >= state.shown.view.points.taking) return;
+		const { taking, lost } = state.shown.view.points;
+		if (!anew && point !== void 0 && point >= taking && !lost.has(point)) return;
 		const of = anew || point === void 0 || more.length > 0 ? null : sourceOf$1(state.shown.view, point);
 		if (of === null && !anew) return;
 		if (of === null) this.store.dispatch({
@@ -10247,7 +10262,7 @@ function pointText({ state }, view) {
 		w: largest(w) ?? 0
 	})).sort((a, b) => b.w - a.w);
 	return [
-		name ?? `${id !== null && "manual" in id ? say("point-by-hand") : say("tie-point")} ${count(chosen.point + 1)}`,
+		name ?? `${id !== null && "manual" in id ? say("point-by-hand") : say("tie-point")} ${count(shown.points.numbers[chosen.point] ?? null)}`,
 		position === null ? say("not-intersected") : coordinatesText(shown, position, 3),
 		errors === null ? "" : inUnitOf(shown, `± ${errors.map((value) => fixed(value, 3)).join(" ")}`),
 		say("rays", {

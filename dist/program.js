@@ -266,6 +266,11 @@ var FinishedBlock = class FinishedBlock {
 	point_ids() {
 		return wasm.finishedblock_point_ids(this.__wbg_ptr);
 	}
+	point_number(point) {
+		const ret = wasm.finishedblock_point_number(this.__wbg_ptr, point);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return ret[0] === Number.MAX_SAFE_INTEGER ? void 0 : ret[0];
+	}
 	project() {
 		let deferred2_0;
 		let deferred2_1;
@@ -4308,16 +4313,17 @@ var Table = class {
 	keep = ALL$1;
 	conditions = {};
 	shown = new Uint32Array();
-	order = {
-		key: "",
-		descending: false
-	};
+	order;
 	inOrder = remember(ordered);
 	marked = -1;
 	anchor = -1;
 	active = -1;
 	constructor(host, options) {
 		this.options = options;
+		this.order = {
+			key: options.order ?? "",
+			descending: false
+		};
 		const { testid, words, file } = options;
 		this.help = h("p", {
 			class: "help",

@@ -266,6 +266,11 @@
 		point_ids() {
 			return wasm.finishedblock_point_ids(this.__wbg_ptr);
 		}
+		point_number(point) {
+			const ret = wasm.finishedblock_point_number(this.__wbg_ptr, point);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return ret[0] === Number.MAX_SAFE_INTEGER ? void 0 : ret[0];
+		}
 		project() {
 			let deferred2_0;
 			let deferred2_1;
@@ -2496,7 +2501,9 @@
 			points: {
 				count: points.rays.length,
 				taking: points.rays.length,
+				lost: new Set(),
 				sources: Float64Array.from(ids, codeOfSource),
+				numbers: points.numbers,
 				rays: points.rays,
 				rmsePx: points.rmse_px,
 				positions: points.positions,
@@ -2593,7 +2600,9 @@
 			points: {
 				count: 0,
 				taking: 0,
+				lost: new Set(),
 				sources: none,
+				numbers: new Uint32Array(),
 				rays: new Uint16Array(),
 				rmsePx: none,
 				positions: none,
@@ -3754,6 +3763,7 @@
 		return new Map(points.map((point) => [point.edit.name, point]));
 	});
 	// www/block/engine/rejected.ts
+	var REJECTED = 1;
 	var BY_HAND = 2;
 	var Found = class {
 		block;
@@ -3794,10 +3804,12 @@
 				...[...unused].map((control) => ({ ground_control: control })),
 				...[...observations.values()].map(({ point }) => point)
 			];
+			const rejected = new Set(named.map(codeOfSource));
 			const has = new Set(sources);
-			const codes = new Map(named.map((source) => [codeOfSource(source), source]));
+			const codes = new Map([...named, ...measuredPoints(edits)].map((source) => [codeOfSource(source), source]));
 			this.gone = [...codes].filter(([code]) => !has.has(code)).map(([code, source]) => ({
 				source,
+				isLost: !rejected.has(code),
 				index: found.indexOf(code)
 			}));
 			this.byIndex = new Map(this.gone.flatMap(({ index }, place) => index < 0 ? [] : [[index, place]]));
@@ -3809,7 +3821,9 @@
 			const all = {
 				...points,
 				count: taking + gone.length,
+				lost: new Set(gone.flatMap(({ isLost }, place) => isLost ? [taking + place] : [])),
 				sources: longer(points.sources, gone.length),
+				numbers: longer(points.numbers, gone.length),
 				rays: longer(points.rays, gone.length),
 				rmsePx: longer(points.rmsePx, gone.length),
 				positions: longer(points.positions, 3 * gone.length),
@@ -3819,7 +3833,8 @@
 			gone.forEach(({ source, index }, place) => {
 				const at = taking + place;
 				all.sources[at] = codeOfSource(source);
-				all.rays[at] = index < 0 ? this.byHand(source).length : found.column("rays", index);
+				all.numbers[at] = found.block.point_number(source) ?? 0;
+				all.rays[at] = index < 0 ? this.byHand(source).size : found.column("rays", index);
 				all.rmsePx[at] = NaN;
 				all.confidence[at] = index < 0 ? 1 : found.column("confidence", index);
 				for (const axis of [
@@ -3840,21 +3855,18 @@
 		inImage(of, image) {
 			const { gone, byIndex, taking } = this;
 			if (gone.length === 0) return of;
-			const points = [];
-			const places = [];
-			const add = (place, x, y) => {
-				points.push(taking + place);
-				places.push(x, y);
-			};
+			const found = new Map();
 			const before = this.found.block.image_points(image);
 			before.points.forEach((index, row) => {
 				const place = byIndex.get(index);
-				if (place !== void 0) add(place, before.places[2 * row] ?? NaN, before.places[2 * row + 1] ?? NaN);
+				if (place !== void 0) found.set(place, [before.places[2 * row] ?? NaN, before.places[2 * row + 1] ?? NaN]);
 			});
-			gone.forEach(({ source, index }, place) => {
-				if (index >= 0) return;
-				for (const { image: own, x_px, y_px } of this.byHand(source)) if (own === image) add(place, x_px, y_px);
+			gone.forEach(({ source }, place) => {
+				const own = this.byHand(source).get(image);
+				if (own !== void 0) found.set(place, [own.x_px, own.y_px]);
 			});
+			const points = [...found.keys()];
+			const places = [...found.values()].flat();
 			const rows = of.points.length;
 			const all = {
 				points: longer(of.points, points.length),
@@ -3865,42 +3877,36 @@
 				detectable: longer(of.detectable, places.length).fill(NaN, 2 * rows),
 				parts: longer(of.parts, points.length).fill(BY_HAND, rows)
 			};
-			all.points.set(points, rows);
+			points.forEach((place, row) => {
+				if (gone[place]?.isLost === true) all.parts[rows + row] = REJECTED;
+			});
+			all.points.set(points.map((place) => taking + place), rows);
 			all.places.set(places, 2 * rows);
 			return all;
 		}
 		detail(point) {
 			const gone = this.gone[point - this.taking];
 			if (gone === void 0) return null;
-			const { source, index } = gone;
-			if (index < 0) {
-				const observations = this.byHand(source).map(({ image, x_px, y_px }) => ({
-					...UNADJUSTED,
-					image,
-					x_px,
-					y_px,
-					by_hand: true
-				}));
-				return {
-					id: source,
-					name: this.added(source)?.edit.name ?? null,
-					role: null,
-					position: null,
-					errors: null,
-					rmse_px: null,
-					confidence: 1,
-					observations,
-					elsewhere: []
-				};
-			}
-			const detail = this.found.block.point(index);
+			const { source, isLost, index } = gone;
+			const part = isLost ? "lost_point" : "rejected_by_hand";
+			const known = index < 0 ? null : this.found.block.point(index);
+			const observations = new Map(known?.observations.map((one) => [one.image, one]));
+			for (const [image, one] of this.byHand(source)) observations.set(image, {
+				...UNADJUSTED,
+				...one,
+				by_hand: true
+			});
 			return {
-				...detail,
+				id: source,
+				name: known?.name ?? this.added(source)?.edit.name ?? null,
 				role: null,
+				position: known?.position ?? null,
 				errors: null,
 				rmse_px: null,
-				observations: detail.observations.map(({ image, x_px, y_px, by_hand }) => ({
+				confidence: known?.confidence ?? 1,
+				observations: [...observations.values()].map(({ image, x_px, y_px, by_hand }) => ({
 					...UNADJUSTED,
+					part,
 					image,
 					x_px,
 					y_px,
@@ -3966,11 +3972,18 @@
 		}
 		byHand(source) {
 			const added = "manual" in source ? this.edits.filter((edit) => edit.kind === "add_point")[source.manual]?.observations : [];
-			const places = new Map(added?.map((one) => [one.image, one]));
-			for (const edit of this.edits) if (edit.kind === "measure" && codeOfSource(edit.point) === codeOfSource(source)) places.set(edit.image, edit);
-			return [...places.values()];
+			const code = codeOfSource(source);
+			const measured = this.edits.filter((edit) => edit.kind === "measure").filter(({ point }) => codeOfSource(point) === code);
+			return new Map([...added ?? [], ...measured].map(({ image, x_px, y_px }) => [image, {
+				image,
+				x_px,
+				y_px
+			}]));
 		}
 	};
+	function measuredPoints(edits) {
+		return [...edits.filter((edit) => edit.kind === "add_point").map((_, manual) => ({ manual })), ...edits.flatMap((edit) => edit.kind === "measure" && !("ground_control" in edit.point) ? [edit.point] : [])];
+	}
 	var UNADJUSTED = {
 		part: "rejected_by_hand",
 		by_hand: false,

@@ -120,10 +120,11 @@ fn every_given_point_has_a_row_whatever_became_of_it() {
     assert_eq!(all.len(), texts.points.lines().count() - 1);
     assert_eq!(told(&all, "G1"), pair("control", "used"));
     // By the number and the position it is known in points.csv, by its name in markers.xml.
-    let number: usize = all.iter().find(|row| row[0] == "G4").unwrap()[21].parse().unwrap();
-    assert_eq!(run.model.points[number].name.as_deref(), Some("G4"));
+    let number: u32 = all.iter().find(|row| row[0] == "G4").unwrap()[21].parse().unwrap();
+    let at = run.model.points.iter().position(|point| point.number == Some(number)).unwrap();
+    assert_eq!(run.model.points[at].name.as_deref(), Some("G4"));
     let written = files(&run);
-    let given: Vec<f64> = numbers(&written["points.csv"], &["x", "y", "z"])[number].clone();
+    let given: Vec<f64> = numbers(&written["points.csv"], &["x", "y", "z"])[at].clone();
     let surveyed = written["surveyed.csv"].lines().find(|line| line.starts_with("G4,")).unwrap().split(',').map(String::from);
     let surveyed: Vec<f64> = surveyed.skip(3).take(3).map(|cell| cell.parse().unwrap()).collect();
     assert!((0..3).all(|k| (given[k] - surveyed[k]).abs() < 0.5), "{given:?} {surveyed:?}");

@@ -28,7 +28,7 @@ fn finished() -> &'static BlockRun {
         }
         fs::write(at.join("broken.pgm"), b"P5 9").unwrap();
         let mut settings = BlockSettings::default();
-        settings.features.multiscale = MultiscaleOptions { number: 1200, ..settings.features.multiscale };
+        settings.features.multiscale = MultiscaleOptions { number: 1000, ..settings.features.multiscale };
         settings.refinement.method = RefinementMethod::LeastSquares;
         let input = RunInput { settings, cameras: Some(r#"{"cameras": [{"focal_px": 708.33}]}"#.into()), ..RunInput::default() };
         let run = run_block(&images_in(&at).unwrap(), &[], input, &at.join("work"), 2, |_| {}).unwrap();
@@ -261,17 +261,11 @@ fn the_support_of_a_block_repeats_its_adjustment() {
     assert!(!model(run).supporting.is_empty());
     let again = run.with_edits(&[BlockEdit::RestorePoints { points: vec![point] }]).unwrap();
     let (before, after) = (model(run), model(&again));
-    // This adjustment starts where that one ended: an observation at its limit may be judged otherwise. Without the support four fifths of the redundancy
-    // would be gone.
-    let freedom = [&before, &after].map(|model| model.adjusted.degrees_of_freedom);
-    assert!(freedom[0].abs_diff(freedom[1]) <= 2, "{freedom:?}");
-    let (of_sigma, of_errors) = if freedom[0] == freedom[1] { (1e-5, 1e-3) } else { (0.01, 0.3) };
-    let [sigma, again] = [&before, &after].map(|model| model.adjusted.sigma0_px.unwrap());
-    assert!((again / sigma - 1.0).abs() < of_sigma, "{sigma} {again}");
+    assert!((before.adjusted.sigma0_px.unwrap() - after.adjusted.sigma0_px.unwrap()).abs() < 1e-6);
     for (a, b) in before.adjusted.block.images.iter().zip(&after.adjusted.block.images) {
         let moved = [0, 1, 2].map(|k| (a.pose.position[k] - b.pose.position[k]).abs());
         let errors = before.adjusted.images[0].position_errors.unwrap();
-        assert!((0..3).all(|k| moved[k] < of_errors * errors[k]), "{moved:?} of {errors:?}");
+        assert!((0..3).all(|k| moved[k] < 1e-3 * errors[k]), "{moved:?} of {errors:?}");
     }
     assert_eq!((before.points, before.supporting.len()), (after.points, after.supporting.len()));
 }
@@ -280,7 +274,7 @@ fn the_support_of_a_block_repeats_its_adjustment() {
 fn covariances_of_an_opened_block_are_those_of_its_standard_errors() {
     let run = &opened(&write_block_project(finished()).unwrap());
     let model = &run.reconstruction.as_ref().unwrap().models[0];
-    let names = ["c.pgm", "point:1", "a.pgm"].map(String::from);
+    let names = ["c.pgm".into(), format!("point:{}", run.model.point_numbers()[1]), "a.pgm".into()];
     let found = block_covariances(run, &names).unwrap();
     let statistics = |image: usize| &model.adjusted.images[image];
     let of_image = |image: usize| [statistics(image).angle_errors_deg.unwrap(), statistics(image).position_errors.unwrap()].concat();
@@ -301,7 +295,7 @@ fn covariances_of_an_opened_block_are_those_of_its_standard_errors() {
     let parameters = model.adjusted.cameras.iter().flat_map(|camera| camera.standard_errors).flatten().count();
     assert_eq!(all.unknowns.len(), 6 * model.images.len() + parameters + 3 * points);
     let at = |of: &str, name: &str| all.unknowns.iter().position(|one| one.of == of && one.name == name).unwrap();
-    let (of_point, of_image) = (at("point:1", "z"), at("a.pgm", "x"));
+    let (of_point, of_image) = (at(&names[1], "z"), at("a.pgm", "x"));
     assert!((all.rows[of_point][of_image] / found.rows[8][12] - 1.0).abs() < 1e-6, "{:?}", found.unknowns);
     for wrong in [&["all", "a.pgm"][..], &["z.pgm"], &["point:99999"], &["broken.pgm"], &["a.pgm", "a.pgm"], &[]] {
         let names: Vec<String> = wrong.iter().map(ToString::to_string).collect();

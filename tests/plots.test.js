@@ -21,6 +21,8 @@ const VIEW = {
   points: {
     count: 4,
     taking: 3,
+    lost: new Set(),
+    numbers: Uint32Array.of(1, 2, 1001, 1002),
     rays: Uint16Array.of(2, 3, 2, 5),
     positions: Float64Array.of(0, 0, 0, 10, 90, 0, 5, 50, 0, 1, 1, 1),
     errors: Float64Array.of(3, 4, 9, 0, 1, 2, NaN, NaN, NaN, NaN, NaN, NaN),

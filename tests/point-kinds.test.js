@@ -20,6 +20,8 @@ const VIEW = {
   points: {
     count: 6,
     taking: 4,
+    lost: new Set(),
+    numbers: Uint32Array.of(11, 12, 1001, 1002, 5, 1003),
     rays: Uint16Array.of(2, 3, 4, 5, 7, 9),
     rmsePx: new Float64Array(6).fill(NaN),
     positions: new Float64Array(18),
@@ -52,12 +54,12 @@ test('ground control and check points are no tie points, nor are their observati
 
 test('the table of points calls ground control and check points by their names, and says what each point is', () => {
   const rows = rowsOf('points', { view: VIEW, given: [] });
-  assert.deepEqual(said(rows, 'point'), ['1', '2', 'GCP1', 'GCP2', '5', 'GCP3']);
+  assert.deepEqual(said(rows, 'point'), ['11', '12', 'GCP1', 'GCP2', '5', 'GCP3']);
   assert.deepEqual(said(rows, 'point-kind'), ['tie point', 'tie point', 'control point', 'check point', 'tie point', 'control point']);
   // They are sorted by their numbers, and found by them.
   assert.deepEqual(
     [0, 2].map((row) => rows.columns[0].value(row)),
-    [1, 3],
+    [11, 1001],
   );
   const keys = rowsOf('points', { view: { ...VIEW, surveyed: [] }, given: [] }).columns.map((/** @type {any} */ { key }) => key);
   assert.ok(!keys.includes('point-kind'), keys.join());
@@ -77,7 +79,7 @@ test('rays are the same in the tables of points and of observations: rejected on
   };
   const rows = observationRows(VIEW, of);
   assert.deepEqual(said(rows, 'observation-rays'), ['2', '2', '2', '4']);
-  assert.deepEqual(said(rows, 'observation-point'), ['1', '1', '1', 'GCP1']);
+  assert.deepEqual(said(rows, 'observation-point'), ['11', '11', '11', 'GCP1']);
   assert.deepEqual(said(rowsOf('points', { view: VIEW, given: [] }), 'point-rays').slice(0, 3), ['2', '3', '4']);
 });
 

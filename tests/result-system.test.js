@@ -31,6 +31,8 @@ const viewOf = (own = {}) => ({
   points: {
     count: 3,
     taking: 3,
+    lost: new Set(),
+    numbers: Uint32Array.of(1, 2, 3),
     rays: new Uint16Array(3),
     rmsePx: new Float64Array(3),
     positions: Float64Array.from(PLACES.flat()),

@@ -276,7 +276,11 @@ test('observations are those of what is chosen: of points in all images, of an i
   assert.deepEqual(shown({ kind: 'image', image: 1 }), [2, 3]);
   assert.deepEqual(shown({ kind: 'pair', images: [1, 0] }), [0, 2]);
   // Of the three observations of the first point two take part.
-  const view = { ...VIEW, surveyed: [], points: { ...VIEW.points, rays: Uint16Array.of(0, 0, 0, 0, 0, 0, 0, 2, 1, 1) } };
+  const view = {
+    ...VIEW,
+    surveyed: [],
+    points: { ...VIEW.points, numbers: Uint32Array.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10), rays: Uint16Array.of(0, 0, 0, 0, 0, 0, 0, 2, 1, 1) },
+  };
   const { columns } = observationRows(view, of);
   const row = (/** @type {number} */ i) => columns.map((/** @type {{ text: (row: number) => string }} */ { text: said }) => said(i));
   assert.deepEqual(row(0), ['a.jpg', '8', '0.00', '0.00', '0.30', '0.40', '0.50', '2', '0.25', '1.20', '2.40', '0.75', '−0.80', '1.50', 'accepted']);

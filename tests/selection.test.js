@@ -15,7 +15,7 @@ before(async () => {
 const viewOf = (...names) => ({
   partial: false,
   images: names.map((name) => ({ name })),
-  points: { count: 0, sources: new Float64Array(), rays: new Uint16Array() },
+  points: { count: 0, sources: new Float64Array(), numbers: new Uint32Array(), rays: new Uint16Array() },
 });
 
 /** @param {Record<string, unknown>} view */
@@ -91,7 +91,7 @@ test('a view is a page of its own, and so is a pair; what is chosen there is non
 
 test('the address names view and choice, and finds them again where the block has them', () => {
   const { addressOf, asked } = page.address;
-  const view = { ...viewOf('a b.jpg', 'c&d.jpg'), points: { count: 300 } };
+  const view = { ...viewOf('a b.jpg', 'c&d.jpg'), points: { count: 300, numbers: Uint32Array.from({ length: 300 }, (_, i) => 2 * i + 3) } };
   const written = (/** @type {object | null} */ chosen, onStage = 'map') => addressOf({ shown: { view }, onStage, selection: { chosen } });
   for (const chosen of [
     null,
@@ -102,11 +102,11 @@ test('the address names view and choice, and finds them again where the block ha
     { kind: 'points', points: Uint32Array.of(0, 7, 299) },
   ])
     assert.deepEqual(asked(`#${written(chosen, 'images')}`, view), { view: 'images', choice: chosen });
-  assert.equal(written({ kind: 'point', point: 11 }), 'view=map&point=12');
+  assert.equal(written({ kind: 'point', point: 11 }), 'view=map&point=25');
   // Too many points are not named.
   assert.equal(written({ kind: 'points', points: Uint32Array.from({ length: 200 }, (_, i) => i) }), 'view=map');
   assert.equal(asked('#block-view', view), null);
-  assert.deepEqual(asked('#view=map&point=0,301,x', view), { view: 'map', choice: null });
+  assert.deepEqual(asked('#view=map&point=0,4,603,x', view), { view: 'map', choice: null });
   assert.deepEqual(asked('#view=matrix&image=gone.jpg', view), { view: 'matrix', choice: null });
   assert.equal(addressOf({ shown: null, onStage: 'map', selection: { chosen: null } }), '');
 });

@@ -40,7 +40,7 @@ const viewOf = (names) => ({
   surveyed: [],
   components: [],
   checks: null,
-  points: { count: 0, taking: 0, sources: new Float64Array(), rays: new Uint16Array() },
+  points: { count: 0, taking: 0, lost: new Set(), sources: new Float64Array(), numbers: new Uint32Array(), rays: new Uint16Array() },
 });
 
 /** A finished block of these images.  @param {readonly string[]} names */

@@ -371,6 +371,8 @@ export interface MatchedPair {
 
 /** The points of the model that is written. */
 export interface PointColumns {
+    /** What the points are called by. */
+    numbers: Uint32Array;
     rays: Uint16Array;
     /** NaN where a point is not adjusted. */
     rmse_px: Float64Array;
@@ -1385,6 +1387,10 @@ export interface SystematicSummary extends SystematicStatistics {
  * A tie point or control point.
  */
 export interface ObjectPoint {
+    /**
+     * By which files and views call it, counted from 1: the same whatever of its block is rejected. Absent where it has none but its place.
+     */
+    number?: number;
     /**
      * Absent where it is not intersected.
      */
@@ -5010,7 +5016,7 @@ export interface ComponentSummary extends VarianceComponent {
 /**
  * What the result of a pair is worth.
  */
-export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number | null; sigma0_um?: number | null; kappa_deg: number; half_width_deg: number; worst?: KnownWorst; worst_half_width_deg?: number } | { kind: "weak"; points: number; warning: Warning } | { kind: "not_oriented"; no_orientation: NoOrientation };
+export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number | null; sigma0_um?: number | null; kappa_deg: number; half_width_deg: number; axes_deg?: number | null; worst?: KnownWorst; worst_half_width_deg?: number } | { kind: "weak"; points: number; warning: Warning } | { kind: "not_oriented"; no_orientation: NoOrientation };
 
 /**
  * What the run reports of its input beside the images that it skips.
@@ -5374,6 +5380,10 @@ export class FinishedBlock {
      * The points of the model that is written by what they are, whatever their indices; empty for a block that is not oriented.
      */
     point_ids(): PointSource[];
+    /**
+     * The number of a point, also where it is rejected; absent for a block that is not oriented.
+     */
+    point_number(point: PointSource): number | undefined;
     /**
      * The text of its project file.
      */
@@ -6285,6 +6295,7 @@ export interface InitOutput {
     readonly finishedblock_places_again: (a: number, b: any) => [number, number, number];
     readonly finishedblock_point: (a: number, b: any) => [number, number, number];
     readonly finishedblock_point_ids: (a: number) => any;
+    readonly finishedblock_point_number: (a: number, b: any) => [number, number, number];
     readonly finishedblock_project: (a: number) => [number, number, number, number];
     readonly finishedblock_score: (a: number, b: any) => [number, number, number];
     readonly flight_parameters: () => any;

@@ -521,6 +521,18 @@ export class FinishedBlock {
         return ret;
     }
     /**
+     * The number of a point, also where it is rejected; absent for a block that is not oriented.
+     * @param {PointSource} point
+     * @returns {number | undefined}
+     */
+    point_number(point) {
+        const ret = wasm.finishedblock_point_number(this.__wbg_ptr, point);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return ret[0] === Number.MAX_SAFE_INTEGER ? undefined : ret[0];
+    }
+    /**
      * The text of its project file.
      * @returns {string}
      */
@@ -3217,7 +3229,7 @@ function __wbg_get_imports() {
             return ret;
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 17, ret: Result(Externref), inner_ret: Some(Result(Externref)) }, mutable: false }) -> Externref`.
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 18, ret: Result(Externref), inner_ret: Some(Result(Externref)) }, mutable: false }) -> Externref`.
             const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__ha83204a696ef78e9);
             return ret;
         },

@@ -84,6 +84,7 @@ export const finishedblock_places: (a: number) => [number, number, number];
 export const finishedblock_places_again: (a: number, b: any) => [number, number, number];
 export const finishedblock_point: (a: number, b: any) => [number, number, number];
 export const finishedblock_point_ids: (a: number) => any;
+export const finishedblock_point_number: (a: number, b: any) => [number, number, number];
 export const finishedblock_project: (a: number) => [number, number, number, number];
 export const finishedblock_score: (a: number, b: any) => [number, number, number];
 export const flight_parameters: () => any;

@@ -397,7 +397,10 @@ no-orientation-refused = { $error }
 pair-verdict-oriented = وُجّه الزوج من { $points } من النقاط، σ0 { $sigma0_px ->
         [none] { SIGNIFICANT($sigma0_um, digits: 2) } ميكرومتر
        *[other] { FIXED($sigma0_px, digits: 2) } بكسل
-    }؛ الصورة اليمنى مدارة في مستواها (κ) بمقدار { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }°{ $worst ->
+    }؛ الصورة اليمنى مدارة في مستواها (κ) بمقدار { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }°{ $axes_deg ->
+        [none] {""}
+       *[other] ، وبين محوري الكاميرتين { LIKE($axes_deg, $worst_half_width_deg, digits: 2) }°
+    }{ $worst ->
         [omega] ، وتُعرف ω بحدود ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
         [phi] ، وتُعرف φ بحدود ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
         [base] ، ويُعرف اتجاه القاعدة بحدود ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
@@ -1219,6 +1222,7 @@ refusal-image-name = صورة الكتلة: أُعطي الاسم { $name } لل
 refusal-copy-of-image = صورة الكتلة: أُعطي الملف نفسه كما في { $name }؛ المسموح: كل صورة مرة واحدة
 refusal-image-name-again = صورة الكتلة: أُعطي الاسم '{ $name }' للصورتين { $first } و{ $second } (العد من 0)؛ المسموح: كل اسم مرة واحدة
 refusal-camera-of-image = كاميرا صورة: أُعطي الرقم { $camera } للصورة '{ $name }'؛ المسموح: أرقام دون { $cameras }
+refusal-point-number-again = نقطة الكتلة: أُعطي الرقم { $number } للنقطتين { $first } و{ $second } (العد من 0)؛ المسموح: كل رقم مرة واحدة
 refusal-point-numbers = نقطة الكتلة: أُعطي { $position } بمتبقيات قدرها { $rmse_px } بكسل للنقطة { $point } (العد من 0)؛ المسموح: أعداد منتهية
 refusal-confidence = نقطة الكتلة: ثقة النقطة { $point } (العد من 0) خارج المجال من 0 إلى 1؛ المسموح: من 0 إلى 1
 refusal-image-of-point = نقطة الكتلة: أُعطيت الصورة { $image } للنقطة { $point } (العد من 0)؛ المسموح: أرقام دون { $images }

@@ -347,6 +347,7 @@ refusal-image-name = image of the block: got the name { $name } of image { $imag
 refusal-copy-of-image = image of the block: got the same file as { $name }; allowed: each image once
 refusal-image-name-again = image of the block: got the name '{ $name }' for images { $first } and { $second } (counted from 0); allowed: each name once
 refusal-camera-of-image = camera of an image: got index { $camera } for '{ $name }'; allowed: indices below { $cameras }
+refusal-point-number-again = point of the block: got the number { $number } for points { $first } and { $second } (counted from 0); allowed: each number once
 refusal-point-numbers = point of the block: got { $position } with residuals of { $rmse_px } px as point { $point } (counted from 0); allowed: finite numbers
 refusal-confidence = point of the block: got a confidence of point { $point } (counted from 0) outside 0 to 1; allowed: 0 to 1
 refusal-image-of-point = point of the block: got image { $image } of point { $point } (counted from 0); allowed: indices below { $images }
@@ -921,7 +922,10 @@ no-orientation-refused = { $error }
 pair-verdict-oriented = Oriented from { $points } points, σ0 { $sigma0_px ->
         [none] { SIGNIFICANT($sigma0_um, digits: 2) } µm
        *[other] { FIXED($sigma0_px, digits: 2) } px
-    }; the right photo is turned in its plane (κ) by { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }°{ $worst ->
+    }; the right photo is turned in its plane (κ) by { LIKE($kappa_deg, $half_width_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }°{ $axes_deg ->
+        [none] {""}
+       *[other] , the camera axes are { LIKE($axes_deg, $worst_half_width_deg, digits: 2) }° apart
+    }{ $worst ->
         [omega] , ω is known to ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
         [phi] , φ is known to ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°
         [base] , the direction of the base is known to ± { SIGNIFICANT($worst_half_width_deg, digits: 2) }°

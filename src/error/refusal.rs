@@ -49,6 +49,7 @@ messages! {
         ImageNameAgain { name: String, first: usize, second: usize },
         CopyOfImage { name: String },
         CameraOfImage { camera: usize, name: String, cameras: usize },
+        PointNumberAgain { number: u32, first: usize, second: usize },
         PointNumbers { position: String, rmse_px: String, point: usize },
         Confidence { point: usize },
         ImageOfPoint { image: usize, point: usize, images: usize },

@@ -27,8 +27,8 @@ fn write(model: &BlockModel, out: &mut String) -> fmt::Result {
         writeln!(out, "      <camera id=\"{index}\" label=\"{label}\" sensor_id=\"{}\" enabled=\"1\"/>", image.camera)?;
     }
     writeln!(out, "    </cameras>\n    <markers>")?;
-    for (index, point) in model.points.iter().enumerate() {
-        let label = point.name.as_ref().map_or_else(|| format!("point {}", index + 1), |name| escape(name));
+    for (index, (point, number)) in model.points.iter().zip(model.point_numbers()).enumerate() {
+        let label = point.name.as_ref().map_or_else(|| format!("point {number}"), |name| escape(name));
         match point.position {
             Some([x, y, z]) => {
                 writeln!(out, "      <marker id=\"{index}\" label=\"{label}\">")?;

@@ -12,6 +12,7 @@ use std::fmt::Write;
 /// # Errors
 /// [`Error::InvalidOption`] for a camera without `pixel_mm`.
 pub(super) fn write_image_coordinates(model: &BlockModel, sights: &Sights) -> Result<String, Error> {
+    let numbers = model.point_numbers();
     let mut text = String::new();
     for (image, sightings) in model.images.iter().zip(&sights.of_images) {
         let camera = &model.cameras[image.camera];
@@ -20,7 +21,7 @@ pub(super) fn write_image_coordinates(model: &BlockModel, sights: &Sights) -> Re
         for sighting in sightings {
             let x = (sighting.ray.x_px - 0.5 * f64::from(camera.width_px)) * pixel;
             let y = (0.5 * f64::from(camera.height_px) - sighting.ray.y_px) * pixel;
-            writeln!(text, "{} {x:.5} {y:.5}", sighting.point + 1).map_err(not_written)?;
+            writeln!(text, "{} {x:.5} {y:.5}", numbers[sighting.point]).map_err(not_written)?;
         }
         text.push('\n');
     }

@@ -123,7 +123,13 @@ fn read_points(text: &str, images: &Numbers, features: &Features) -> Result<Vec<
                 rays.push(ImageObservation { image, x_px: place[0], y_px: place[1], confidence: 1.0 });
             }
         }
-        if points.insert(number, ObjectPoint { position, colour, rmse_px, confidence: 1.0, name: None, rays }).is_some() {
+        if points
+            .insert(
+                number,
+                ObjectPoint { number: u32::try_from(number).ok(), position, colour, rmse_px, confidence: 1.0, name: None, rays },
+            )
+            .is_some()
+        {
             return Err(line.refused(FileFault::PointAgain { point: number }));
         }
     }
@@ -145,6 +151,7 @@ mod tests {
         model.images.pop();
         model.points.pop();
         model.points[0].rays.pop();
+        (1..).zip(&mut model.points).for_each(|(number, point)| point.number = Some(number));
         model.origin = None;
         model
     }

@@ -45,12 +45,13 @@ fn write_cameras(model: &BlockModel, out: &mut String) -> fmt::Result {
 fn write_images(model: &BlockModel, sights: &Sights, out: &mut String) -> fmt::Result {
     writeln!(out, "# IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME")?;
     writeln!(out, "# POINTS2D[] as (X Y POINT3D_ID)")?;
+    let numbers = model.point_numbers();
     for (index, image) in model.images.iter().enumerate() {
         let Some(pose) = &image.pose else { continue };
         let ([qw, qx, qy, qz], [tx, ty, tz]) = vision_pose(pose);
         writeln!(out, "{} {qw} {qx} {qy} {qz} {tx} {ty} {tz} {} {}", index + 1, image.camera + 1, image.name)?;
         for (place, sighting) in sights.of_images[index].iter().enumerate() {
-            let point = if model.points[sighting.point].position.is_some() { sighting.point as i64 + 1 } else { -1 };
+            let point = if model.points[sighting.point].position.is_some() { i64::from(numbers[sighting.point]) } else { -1 };
             let blank = if place > 0 { " " } else { "" };
             write!(out, "{blank}{} {} {point}", sighting.ray.x_px, sighting.ray.y_px)?;
         }
@@ -61,10 +62,10 @@ fn write_images(model: &BlockModel, sights: &Sights, out: &mut String) -> fmt::R
 
 fn write_points(model: &BlockModel, sights: &Sights, out: &mut String) -> fmt::Result {
     writeln!(out, "# POINT3D_ID X Y Z R G B ERROR TRACK[] as (IMAGE_ID POINT2D_IDX)")?;
-    for (index, (point, numbers)) in model.points.iter().zip(&sights.numbers).enumerate() {
+    for ((point, own), numbers) in model.points.iter().zip(model.point_numbers()).zip(&sights.numbers) {
         let Some([x, y, z]) = point.position else { continue };
         let [r, g, b] = point.colour;
-        write!(out, "{} {x} {y} {z} {r} {g} {b} {}", index + 1, point.rmse_px.unwrap_or(-1.0))?;
+        write!(out, "{} {x} {y} {z} {r} {g} {b} {}", own, point.rmse_px.unwrap_or(-1.0))?;
         for (ray, number) in point.rays.iter().zip(numbers).filter(|(ray, _)| model.images[ray.image].pose.is_some()) {
             write!(out, " {} {number}", ray.image + 1)?;
         }

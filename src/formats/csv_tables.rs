@@ -1,7 +1,7 @@
 //! Tables between commas for spreadsheets and scripts: images, points, observations.
 //!
-//! Images, points and cameras count from 0, as the lists of the project file do, whereas texts that people read number cameras from 1 and name
-//! images; what is not known is empty; angles are those of M = M3(κ)·M2(φ)·M1(ω) in degrees.
+//! Images and cameras count from 0, as the lists of the project file do, whereas texts that people read number cameras from 1 and name images. Points
+//! have their numbers. What is not known is empty; angles are those of M = M3(κ)·M2(φ)·M1(ω) in degrees.
 
 use crate::BlockModel;
 use crate::text::{Row, table};
@@ -29,8 +29,8 @@ pub(crate) fn images_table(model: &BlockModel, columns: &[&str], more: impl Fn(u
 
 /// `points.csv`, with further columns that `more` fills for each point.
 pub(crate) fn points_table(model: &BlockModel, columns: &[&str], more: impl Fn(usize, Row) -> Row) -> String {
-    let rows = model.points.iter().enumerate().map(|(index, point)| {
-        let coloured = point.colour.iter().fold(Row::default().number(index).numbers(point.position), Row::number);
+    let rows = model.points.iter().zip(model.point_numbers()).enumerate().map(|(index, (point, number))| {
+        let coloured = point.colour.iter().fold(Row::default().number(number).numbers(point.position), Row::number);
         more(index, coloured.number(point.rays.len()).number(point.confidence).known(point.rmse_px))
     });
     table(&[&POINTS, columns].concat(), rows)
@@ -38,9 +38,10 @@ pub(crate) fn points_table(model: &BlockModel, columns: &[&str], more: impl Fn(u
 
 /// `rays.csv`, with further columns that `more` fills for each point and its observations.
 pub(crate) fn rays_table(model: &BlockModel, columns: &[&str], more: impl Fn(usize, usize, Row) -> Row) -> String {
+    let numbers = model.point_numbers();
     let all = model.points.iter().enumerate().flat_map(|(point, known)| known.rays.iter().enumerate().map(move |(i, ray)| (point, i, ray)));
     let rows = all.map(|(point, index, ray)| {
-        let row = Row::default().number(point).number(ray.image).text(&model.images[ray.image].name);
+        let row = Row::default().number(numbers[point]).number(ray.image).text(&model.images[ray.image].name);
         more(point, index, row.number(ray.x_px).number(ray.y_px).number(ray.confidence))
     });
     table(&[&RAYS, columns].concat(), rows)

@@ -24,9 +24,9 @@ pub(super) fn write_geojson(model: &BlockModel) -> Result<String, Error> {
         json!({"type": "Feature", "geometry": {"type": "Point", "coordinates": rounded}, "properties": properties})
     };
     let images = model.images.iter().filter_map(|image| Some(feature(image.pose?.position, json!({"kind": "image", "name": image.name}))));
-    let points = model.points.iter().enumerate().filter_map(|(index, point)| {
+    let points = model.points.iter().zip(model.point_numbers()).filter_map(|(point, number)| {
         let properties =
-            json!({"kind": "point", "point": index, "rays": point.rays.len(), "confidence": point.confidence, "rmse_px": point.rmse_px});
+            json!({"kind": "point", "point": number, "rays": point.rays.len(), "confidence": point.confidence, "rmse_px": point.rmse_px});
         Some(feature(point.position?, properties))
     });
     let features: Vec<String> = images.chain(points).map(|feature| feature.to_string()).collect();

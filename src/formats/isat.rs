@@ -16,6 +16,7 @@ use std::fmt::Write;
 /// # Source
 /// ImageStation, Appendix A: ASCII Data File Formats, photo file.
 pub(super) fn write_photos(model: &BlockModel, sights: &Sights) -> Result<String, Error> {
+    let numbers = model.point_numbers();
     let mut text = String::from("# photo coordinates in micrometres\n");
     for (image, sightings) in model.images.iter().zip(&sights.of_images) {
         let camera = &model.cameras[image.camera];
@@ -26,7 +27,7 @@ pub(super) fn write_photos(model: &BlockModel, sights: &Sights) -> Result<String
             let y = (0.5 * f64::from(camera.height_px) - sighting.ray.y_px) * micrometres;
             let [right, down] = camera.direction([sighting.ray.x_px, sighting.ray.y_px])?.map(|v| v * camera.focal_px * micrometres);
             let up = 0.0 - down;
-            writeln!(text, " {} {x:.2} {y:.2} {right:.2} {up:.2} 1", sighting.point + 1).map_err(not_written)?;
+            writeln!(text, " {} {x:.2} {y:.2} {right:.2} {up:.2} 1", numbers[sighting.point]).map_err(not_written)?;
         }
         text.push_str("end photo_measurements\n");
     }

@@ -14,6 +14,7 @@ use std::fmt::Write;
 /// # Errors
 /// [`Error::InvalidOption`] for a camera without `pixel_mm`; [`Error::NotConverged`] for a distortion without inverse.
 pub(super) fn write_image_coordinates(model: &BlockModel, sights: &Sights) -> Result<[String; 2], Error> {
+    let numbers = model.point_numbers();
     let [mut text, mut photos] = [const { String::new() }; 2];
     for (index, (image, sightings)) in model.images.iter().zip(&sights.of_images).enumerate() {
         let camera = &model.cameras[image.camera];
@@ -22,7 +23,7 @@ pub(super) fn write_image_coordinates(model: &BlockModel, sights: &Sights) -> Re
         writeln!(text, "{:>10} {scale:>12.1}", index + 1).map_err(not_written)?;
         for sighting in sightings {
             let [x, y] = camera.direction([sighting.ray.x_px, sighting.ray.y_px])?;
-            writeln!(text, "{:>10} {:>12.1} {:>12.1} 1", sighting.point + 1, x * scale, 0.0 - y * scale).map_err(not_written)?;
+            writeln!(text, "{:>10} {:>12.1} {:>12.1} 1", numbers[sighting.point], x * scale, 0.0 - y * scale).map_err(not_written)?;
         }
         text.push_str("       -99\n");
     }

@@ -2,7 +2,7 @@
 
 use super::{ExportFormat, export_block, read_colmap_model};
 use crate::model::tiny_block;
-use crate::{BlockModel, Camera, Error, Pose, geographic_from_local, rotation_from_angles};
+use crate::{BlockModel, Camera, Error, ObjectPoint, Pose, geographic_from_local, rotation_from_angles};
 use std::collections::BTreeMap;
 
 fn files(model: &BlockModel, format: ExportFormat) -> Result<BTreeMap<String, String>, Error> {
@@ -147,8 +147,8 @@ fn csv() {
     let lines = |name: &str| files[name].lines().map(str::to_string).collect::<Vec<_>>();
     assert_eq!(lines("images.csv")[1], "0,a.jpg,0,400,300,500,0,0,100,0,0,0");
     assert_eq!(lines("images.csv")[3], "2,\"c,\"\"d\"\".jpg\",0,400,300,500,,,,,,");
-    assert_eq!(lines("points.csv")[1..], ["0,5,0,0,10,20,30,3,1,0.25", "1,5,10,0,10,20,30,2,1,0.25", "2,,,,10,20,30,2,1,0.25"]);
-    assert_eq!(lines("rays.csv")[3], "0,2,\"c,\"\"d\"\".jpg\",100.5,20.25,1");
+    assert_eq!(lines("points.csv")[1..], ["1,5,0,0,10,20,30,3,1,0.25", "2,5,10,0,10,20,30,2,1,0.25", "3,,,,10,20,30,2,1,0.25"]);
+    assert_eq!(lines("rays.csv")[3], "1,2,\"c,\"\"d\"\".jpg\",100.5,20.25,1");
 }
 
 #[test]
@@ -248,5 +248,32 @@ fn a_block_with_all_parameters_comes_back_from_colmap() {
         assert!(difference.fold(0.0, f64::max) < 1e-14);
         assert!(pose.position.iter().zip(wanted.position).all(|(a, b)| (a - b).abs() < 1e-12));
     }
-    assert_eq!(read.points[1], model.points[1]);
+    assert_eq!(read.points[1], ObjectPoint { number: Some(2), ..model.points[1].clone() });
+}
+
+#[test]
+fn files_call_points_by_their_numbers() {
+    let mut model = tiny_block();
+    for (point, number) in model.points.iter_mut().zip([7, 30, 1001]) {
+        point.number = Some(number);
+    }
+    model.check().unwrap();
+    let text = |format, name: &str| files(&model, format).unwrap()[name].clone();
+    for (format, name, said) in [
+        (ExportFormat::Csv, "points.csv", "\n30,5,10,0,"),
+        (ExportFormat::Csv, "rays.csv", "\n1001,1,b.jpg,10,20,"),
+        (ExportFormat::Colmap, "sparse/points3D.txt", "\n30 5 10 0 "),
+        (ExportFormat::Colmap, "sparse/images.txt", "\n225 150 7 225 100 30\n"),
+        (ExportFormat::Agisoft, "markers.xml", "label=\"point 1001\""),
+        (ExportFormat::Bingo, "bingo.dat", "\n30 "),
+        (ExportFormat::Patb, "patb.im", "\n      1001 "),
+        (ExportFormat::Isat, "isat_photo", "\n 7 "),
+        (ExportFormat::Geojson, "block.geojson", "\"point\":30,"),
+    ] {
+        assert!(text(format, name).contains(said), "{name}: {}", text(format, name));
+    }
+    model.points[1].number = Some(7);
+    assert!(model.check().unwrap_err().to_string().contains("got the number 7 for points 0 and 1"));
+    model.points[1].number = None;
+    assert_eq!(model.point_numbers(), [1, 2, 3]);
 }

@@ -24,9 +24,8 @@ const TWIN_PX: f64 = 3.0;
 /// Step in px below which a position is final: a tenth of what scatters at worst. A smaller one refuses a tenth of the right matches on
 /// oblique surfaces, whose corners still move.
 const CONVERGENCE_PX: f64 = 0.02;
-/// A match that least squares matching does not confirm lies so far at most, in px, from where confirmed ones foretell it, or so many times their scatter.
-/// On simulated towns a ninth of the unconfirmed are wrong, since their windows hold a roof and the ground beside it: this rejects two thirds of them, and an eighth
-/// of the right ones.
+/// A match that least squares matching does not confirm lies so far at most, in px, from where confirmed ones foretell it, or so many times their scatter. Its
+/// window may hold a roof and the ground beside it: in simulated towns those farther off are wrong far more often than the others.
 const UNCONFIRMED_PX: f64 = 1.5;
 const UNCONFIRMED: f64 = 3.0;
 /// Confirmed matches farther away than this, in px, tell nothing of a surface that may break between them and a match.
@@ -242,7 +241,7 @@ mod tests {
         let positions: Vec<[f64; 2]> = (0..200).map(|k| [10.0 * f64::from(k % 20), 10.0 * f64::from(k / 20)]).collect();
         let fit = crate::Fit { correlation: 0.9, covariance: [0.01, 0.0, 0.01], iterations: 5 };
         let off = |k: usize| [0.0, 1.0, 2.0, 9.0][(k / 7) % 4];
-        let is_confirmed = |k: usize| k % 7 != 0;
+        let is_confirmed = |k: usize| !k.is_multiple_of(7);
         let verdict = |(k, [x, y]): (usize, &[f64; 2])| Verdict {
             position: Some([x + 30.0 + if is_confirmed(k) { 0.0 } else { off(k) }, y - 4.0]),
             fit: is_confirmed(k).then_some(fit),

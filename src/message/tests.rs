@@ -227,21 +227,24 @@ fn a_value_has_the_decimals_of_its_error() {
     assert_eq!(written(-0.1466, 2.34), "-0.1 ± 2.3");
     assert_eq!(written(12.6, 346.0), "13 ± 350");
     assert_eq!(written(1.0, f64::NAN), "– ± –");
-    let verdict = |worst| PairVerdict::Oriented {
+    let verdict = |worst, axes_deg| PairVerdict::Oriented {
         points: 40,
         sigma0_px: Some(0.1),
         sigma0_um: None,
         kappa_deg: 0.1466,
         half_width_deg: 0.0178,
+        axes_deg,
         worst,
         worst_half_width_deg: 1.402,
     };
-    for (worst, said) in [
-        (KnownWorst::Kappa, " by 0.147° ± 0.018° (95 %)."),
-        (KnownWorst::Phi, " by 0.147° ± 0.018°, φ is known to ± 1.4° (95 %)."),
-        (KnownWorst::Base, " by 0.147° ± 0.018°, the direction of the base is known to ± 1.4° (95 %)."),
+    for (worst, axes_deg, said) in [
+        (KnownWorst::Kappa, None, " by 0.147° ± 0.018° (95 %)."),
+        (KnownWorst::Phi, None, " by 0.147° ± 0.018°, φ is known to ± 1.4° (95 %)."),
+        (KnownWorst::Base, None, " by 0.147° ± 0.018°, the direction of the base is known to ± 1.4° (95 %)."),
+        (KnownWorst::Phi, Some(10.14), " by 0.147° ± 0.018°, the camera axes are 10.1° apart, φ is known to ± 1.4° (95 %)."),
     ] {
-        assert!(verdict(worst).to_string().ends_with(said), "{}", verdict(worst));
+        let text = verdict(worst, axes_deg).to_string();
+        assert!(text.ends_with(said), "{text}");
     }
 }
 

@@ -35,6 +35,9 @@ pub struct ModelImage {
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ObjectPoint {
+    /// By which files and views call it, counted from 1: the same whatever of its block is rejected. Absent where it has none but its place.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub number: Option<u32>,
     /// Absent where it is not intersected.
     #[serde(default)]
     pub position: Option<[f64; 3]>,
@@ -80,6 +83,14 @@ pub struct GeographicOrigin {
     pub height_m: f64,
 }
 
+impl BlockModel {
+    /// What files and views call the points by: their numbers, or their places, counted from 1, where any has none.
+    pub fn point_numbers(&self) -> Vec<u32> {
+        let own: Option<Vec<u32>> = self.points.iter().map(|point| point.number).collect();
+        own.unwrap_or_else(|| (1..).take(self.points.len()).collect())
+    }
+}
+
 /// The image that has two of the observations, if any has.
 pub(super) fn seen_twice(observations: &[ImageObservation]) -> Option<usize> {
     let mut images: Vec<usize> = observations.iter().map(|observation| observation.image).collect();
@@ -106,6 +117,7 @@ pub(crate) fn tiny_block() -> BlockModel {
     };
     let ray = |image, x_px, y_px| ImageObservation { image, x_px, y_px, confidence: 1.0 };
     let point = |position, rays: &[ImageObservation]| ObjectPoint {
+        number: None,
         position,
         colour: [10, 20, 30],
         rmse_px: Some(0.25),

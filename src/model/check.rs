@@ -11,8 +11,8 @@ impl BlockModel {
     /// Refuses what no file should hold.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] for indices of nothing, names that are empty, doubled or hold control characters, numbers that are none or out
-    /// of range, matrices that are no rotations, rays outside their image, and a point that an image sees twice.
+    /// [`Error::InvalidInput`] for indices of nothing, names that are empty, doubled or hold control characters, points of one number, numbers
+    /// that are none or out of range, matrices that are no rotations, rays outside their image, and a point that an image sees twice.
     pub fn check(&self) -> Result<(), Error> {
         self.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.check(|| Location::Camera { camera: index }))?;
         let mut names = BTreeMap::new();
@@ -29,7 +29,14 @@ impl BlockModel {
             }
             image.pose.iter().try_for_each(|pose| check_pose(&image.name, pose))?;
         }
-        self.points.iter().enumerate().try_for_each(|(index, point)| self.check_point(index, point))?;
+        let mut numbers = BTreeMap::new();
+        for (index, point) in self.points.iter().enumerate() {
+            self.check_point(index, point)?;
+            let Some(number) = point.number else { continue };
+            if let Some(first) = numbers.insert(number, index) {
+                return refuse(Refusal::PointNumberAgain { number, first, second: index });
+            }
+        }
         self.origin.iter().try_for_each(check_origin)
     }
 

@@ -114,18 +114,24 @@ fn told_apart(parts: Vec<(String, Part)>) -> Vec<(String, Part)> {
     parts.into_iter().map(free).collect()
 }
 
-/// Images, cameras, surveyed points, and the other points as `points.csv` numbers them.
+/// Images, cameras, surveyed points, and the other points by their numbers.
 fn all_parts(run: &BlockRun, model: &ReconstructedModel) -> Vec<(String, Part)> {
     let images = model.images.iter().enumerate().map(|(place, image)| (run.images[*image].name.clone(), Part::Image(place)));
     let cameras = model.cameras.iter().enumerate().map(|(place, camera)| (format!("camera:{camera}"), Part::Camera(place)));
-    let written = written_points(model);
-    let point = |place: usize| written[place].map(|number| (place, number));
-    let points: Vec<(usize, usize)> = (0..model.points.len()).filter_map(point).collect();
+    let numbers = numbers(run, model);
+    let point = |place: usize| numbers[place].map(|number| (place, number));
+    let points: Vec<(usize, u32)> = (0..model.points.len()).filter_map(point).collect();
     let named = points.iter().filter_map(|(place, _)| Some((surveyed(model, *place)?.name.clone(), Part::Point(*place))));
     let tie_points = points.iter().filter(|(place, _)| surveyed(model, *place).is_none());
     let numbered = tie_points.map(|(place, number)| (format!("point:{number}"), Part::Point(*place)));
     let estimated = cameras.filter(|(_, camera)| size(model, *camera) > 0);
     images.chain(estimated).chain(named).chain(numbered).collect()
+}
+
+/// Of each point of an adjusted block its number; absent without accepted observations.
+fn numbers(run: &BlockRun, model: &ReconstructedModel) -> Vec<Option<u32>> {
+    let numbers = run.model.point_numbers();
+    written_points(model).into_iter().map(|point| point.map(|point| numbers[point])).collect()
 }
 
 /// What a name means; absent where nothing has it.
@@ -138,10 +144,9 @@ fn part(run: &BlockRun, model: &ReconstructedModel, name: &str) -> Option<Part> 
     if let Some(place) = (0..model.points.len()).filter(|place| model.adjusted.points[*place].is_some()).find(is_named) {
         return Some(Part::Point(place));
     }
-    let number = |kind: &str| name.strip_prefix(kind)?.parse::<usize>().ok();
-    let written = written_points(model);
-    let point = number("point:").and_then(|number| written.iter().position(|point| *point == Some(number)));
-    let camera = number("camera:").and_then(|number| model.cameras.binary_search(&number).ok());
+    let numbered = |number: u32| numbers(run, model).iter().position(|point| *point == Some(number));
+    let point = name.strip_prefix("point:").and_then(|number| numbered(number.parse().ok()?));
+    let camera = name.strip_prefix("camera:").and_then(|number| model.cameras.binary_search(&number.parse().ok()?).ok());
     point.map(Part::Point).or(camera.map(Part::Camera))
 }
 

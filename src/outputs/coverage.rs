@@ -33,6 +33,7 @@ mod tests {
     fn positions_are_the_nine_of_each_image() {
         let camera = Camera::without_distortion(300, 90, 1.0);
         let point = |rays: &[(usize, f64, f64)]| ObjectPoint {
+            number: None,
             position: None,
             colour: [0; 3],
             rmse_px: None,

@@ -228,11 +228,12 @@ pub(super) fn surveyed(model: &ReconstructedModel, place: usize) -> Option<&crat
     model.surveyed.get(surveyed_index(model, place)?)
 }
 
-/// The numbers of the surveyed points of the model that is written, in its points and in `points.csv`.
-pub(super) fn surveyed_numbers(run: &BlockRun) -> Vec<usize> {
+/// The numbers of the surveyed points of the model that is written.
+pub(super) fn surveyed_numbers(run: &BlockRun) -> Vec<u32> {
     let Some((model, written)) = written(run) else { return Vec::new() };
-    let numbered = written.iter().enumerate().filter(|(_, place)| matches!(model.points[**place], PointSource::GroundControl(_)));
-    numbered.map(|(number, _)| number).collect()
+    let numbered =
+        written.iter().zip(run.model.point_numbers()).filter(|(place, _)| matches!(model.points[**place], PointSource::GroundControl(_)));
+    numbered.map(|(_, number)| number).collect()
 }
 
 /// The index of a point of the model among the surveyed ones; absent for a tie point.

@@ -101,6 +101,8 @@ pub struct RayCount {
 /// The points of the model that is written, one number or three of each.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointColumns {
+    /// What the points are called by.
+    pub numbers: Vec<u32>,
     pub rays: Vec<u16>,
     /// NaN where a point is not adjusted.
     pub rmse_px: Vec<f64>,
@@ -166,6 +168,7 @@ impl PointColumns {
         let none = [f64::NAN; 3];
         let points = &run.model.points;
         Self {
+            numbers: run.model.point_numbers(),
             rays: points.iter().map(|point| point.rays.len() as u16).collect(),
             rmse_px: points.iter().map(|point| point.rmse_px.unwrap_or(f64::NAN)).collect(),
             positions: points.iter().map(|point| point.position.unwrap_or(none)).collect(),

@@ -55,6 +55,7 @@ mod tests {
             ],
         };
         let point = |rays: &[(usize, f64, f64)]| ObjectPoint {
+            number: None,
             position: None,
             colour: [0; 3],
             rmse_px: None,

@@ -150,7 +150,7 @@ pub(super) fn pairs(run: &BlockRun, rows: &[PairRow]) -> String {
 /// `surveyed.csv`: surveyed points beside their adjusted places, and those that the block has no place of.
 ///
 /// `numbers`: those that the points have in `points.csv`. `by_hand`: names of those that were added by hand; absent of a block that was not edited.
-pub(super) fn control(points: &[SurveyedPoint], numbers: &[usize], absent: &[AbsentPoint], by_hand: Option<&BTreeSet<String>>) -> String {
+pub(super) fn control(points: &[SurveyedPoint], numbers: &[u32], absent: &[AbsentPoint], by_hand: Option<&BTreeSet<String>>) -> String {
     let marked = |row: Row, name: &String| match by_hand {
         Some(by_hand) => row.number(u8::from(by_hand.contains(name))),
         None => row,

@@ -107,6 +107,7 @@ mod tests {
             sigma0_um: None,
             kappa_deg: 1.0,
             half_width_deg: 0.1,
+            axes_deg: None,
             worst: KnownWorst::Kappa,
             worst_half_width_deg: 0.1,
         };

@@ -7,6 +7,9 @@ use crate::message::messages;
 use crate::{RelativeOrientation, Side, Warning};
 use serde::{Deserialize, Serialize};
 
+/// Photographs that are meant to be vertical differ by less.
+const CONVERGENT_DEG: f64 = 5.0;
+
 /// The angle, or the direction of the base, with the widest interval.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -37,6 +40,9 @@ messages! {
             kappa_deg: f64,
             #[serde(with = "crate::json::infinite")]
             half_width_deg: f64,
+            /// The angle between the camera axes, where they are not near parallel.
+            #[serde(default)]
+            axes_deg: Option<f64>,
             #[serde(default)]
             worst: KnownWorst,
             #[serde(default, with = "crate::json::infinite")]
@@ -72,6 +78,7 @@ impl PairVerdict {
                     sigma0_px,
                     sigma0_um,
                     kappa_deg: orientation.parameters.kappa_deg,
+                    axes_deg: Some(angle_of_axes_deg(orientation)).filter(|angle| *angle > CONVERGENT_DEG),
                     half_width_deg: orientation.half_widths_95.map_or(f64::INFINITY, |half| half.kappa_deg),
                     worst,
                     worst_half_width_deg,
@@ -79,6 +86,12 @@ impl PairVerdict {
             }
         }
     }
+}
+
+/// The cameras of a pair look into directions that differ by ω and φ: Z of the right one in the left.
+fn angle_of_axes_deg(orientation: &RelativeOrientation) -> f64 {
+    let [omega, phi] = [orientation.parameters.omega_deg, orientation.parameters.phi_deg].map(f64::to_radians);
+    libm::acos((libm::cos(omega) * libm::cos(phi)).clamp(-1.0, 1.0)).to_degrees()
 }
 
 /// What is known worst of an orientation, with half the width of its interval of 95 %.

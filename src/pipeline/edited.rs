@@ -108,7 +108,8 @@ impl BlockRun {
         assembly.models[0] = model;
         assembly.unoriented.extend(edited.unoriented);
         assembly.unoriented.sort_by_key(|unoriented| unoriented.image);
-        let written = assembly.block_model_with(0, &description, |point| confidence.get(&point).copied().unwrap_or(1.0))?;
+        let written =
+            assembly.block_model_with(0, &description, found.found_points(), |point| confidence.get(&point).copied().unwrap_or(1.0))?;
         let said = remarks_of_places(edits, &found.remarks);
         let mut remarks = [found.remarks.as_slice(), said.as_slice()].concat();
         let orthophoto = placed.or_else(|| found.orthophoto.clone());

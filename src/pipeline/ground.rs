@@ -306,7 +306,8 @@ impl<'a> Ground<'a> {
             (other.in_system, other.surveyed) = (false, Vec::new());
         }
         reconstruction.origin = origin;
-        let model = reconstruction.block_model_with(0, &description, |point| confidence.get(&point).copied().unwrap_or(1.0))?;
+        let model = reconstruction
+            .block_model_with(0, &description, found.found_points(), |point| confidence.get(&point).copied().unwrap_or(1.0))?;
         Ok(BlockRun { input, reconstruction: Ok(reconstruction), model, orthophoto: Some(outcome), ..found.clone() })
     }
 }

@@ -116,7 +116,10 @@ fn orient(state: &mut State) -> Result<(), Error> {
             tell_elsewhere(model, &state.description, &state.unknown_images, &state.images, &state.input);
             tell_stated_errors(model, &state.description, &state.images, &state.input);
         }
-        let model = reconstruction.models.first().map(|_| reconstruction.block_model(0, &state.description, &state.points)).transpose()?;
+        let found = state.joined.as_ref().map_or(0, |joined| joined.count);
+        let confidence = |point: u32| f64::from(state.points.confidence(point as usize));
+        let written = reconstruction.models.first().map(|_| reconstruction.block_model_with(0, &state.description, found, confidence));
+        let model = written.transpose()?;
         Ok((reconstruction, model))
     });
     let (reconstruction, model): (Result<Reconstruction, Error>, Option<BlockModel>) = match found {

@@ -3,6 +3,7 @@
 use super::cameras::InitialCamera;
 use super::{GivenPosition, OnOrthophoto, RunInput};
 use crate::crs::Geoid;
+use crate::reconstruction::PointNumbers;
 use crate::{
     BlockEdit, BlockModel, Connection, ExifImage, ExifPosition, Failure, JoinCounts, PointSource, Reconstruction, RefinementOutcome,
     Remark, SharedPoints, TwoView,
@@ -50,6 +51,30 @@ pub struct BlockRun {
 }
 
 impl BlockRun {
+    /// The number of a point of the model that is written, also where it is rejected; absent without such a model.
+    pub fn point_number(&self, point: PointSource) -> Option<u32> {
+        let Reconstruction { models, .. } = self.reconstruction.as_ref().ok()?;
+        Some(PointNumbers::new(&models.first()?.points, self.found_points()).of(point))
+    }
+
+    /// The block with numbers of its points, which files of former versions do not hold.
+    pub(crate) fn numbered(mut self) -> Self {
+        let tie_points = self.found_points();
+        let found = self.edited.as_mut().map(|edited| (&mut edited.model, Some(&edited.reconstruction)));
+        for (model, reconstruction) in [Some((&mut self.model, self.reconstruction.as_ref().ok())), found].into_iter().flatten() {
+            let Some(first) = reconstruction.and_then(|reconstruction| reconstruction.models.first()) else { continue };
+            let numbers = PointNumbers::new(&first.points, tie_points);
+            let written = first.points.iter().zip(&first.adjusted.points).filter(|(_, known)| known.is_some());
+            model.points.iter_mut().zip(written).for_each(|(point, (source, _))| point.number = Some(numbers.of(*source)));
+        }
+        self
+    }
+
+    /// How many tie points there were to choose from; 0 where its file does not say.
+    pub(super) fn found_points(&self) -> usize {
+        self.points.as_ref().map_or(0, |points| points.count)
+    }
+
     /// The probability of each tie point of the model that is written.
     pub(super) fn confidences(&self) -> BTreeMap<u32, f64> {
         let model = self.reconstruction.as_ref().ok().and_then(|Reconstruction { models, .. }| models.first());

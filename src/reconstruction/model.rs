@@ -1,5 +1,6 @@
 //! One of the reconstructed models as the model of the whole block.
 
+use super::numbers::PointNumbers;
 use super::result::{PointSource, Reconstruction};
 use crate::adjustment::ObservationVerdict;
 use crate::error::refuse;
@@ -14,14 +15,15 @@ impl Reconstruction {
     /// # Errors
     /// [`Error::InvalidInput`] for a model that does not exist.
     pub fn block_model(&self, model: usize, description: &BlockDescription, points: &TiePoints) -> Result<BlockModel, Error> {
-        self.block_model_with(model, description, |point| f64::from(points.confidence(point as usize)))
+        self.block_model_with(model, description, points.len(), |point| f64::from(points.confidence(point as usize)))
     }
 
-    /// The same; `confidence` gives that of a tie point by its index.
+    /// The same; `tie_points`: how many there were to choose from; `confidence` gives that of one by its index.
     pub(crate) fn block_model_with(
         &self,
         model: usize,
         description: &BlockDescription,
+        tie_points: usize,
         confidence: impl Fn(u32) -> f64,
     ) -> Result<BlockModel, Error> {
         let Some(own) = self.models.get(model) else {
@@ -37,6 +39,7 @@ impl Reconstruction {
                 rays[ray.point].push(ImageObservation { image: own.images[ray.image], x_px: ray.x_px, y_px: ray.y_px, confidence: 1.0 });
             }
         }
+        let numbers = PointNumbers::new(&own.points, tie_points);
         for (point, rays) in rays.into_iter().enumerate() {
             let Some(statistics) = &own.adjusted.points[point] else { continue };
             let (confidence, name) = match own.points[point] {
@@ -44,8 +47,9 @@ impl Reconstruction {
                 PointSource::GroundControl(index) => (1.0, description.control.get(index).map(|known| known.name.clone())),
                 PointSource::Manual(_) => (1.0, None),
             };
+            let number = Some(numbers.of(own.points[point]));
             let (position, rmse_px) = (Some(block.points[point]), Some(statistics.rmse_px));
-            whole.points.push(ObjectPoint { position, colour: [128; 3], rmse_px, confidence, name, rays });
+            whole.points.push(ObjectPoint { number, position, colour: [128; 3], rmse_px, confidence, name, rays });
         }
         Ok(whole)
     }

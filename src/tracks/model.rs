@@ -32,6 +32,7 @@ impl BlockModel {
             }
             let rays = points.rays(index).iter().map(ray).collect::<Result<_, _>>()?;
             Ok(ObjectPoint {
+                number: Some(index as u32 + 1),
                 position: None,
                 colour: [128; 3],
                 rmse_px: None,

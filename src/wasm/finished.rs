@@ -17,6 +17,8 @@ use wasm_bindgen::{JsCast, JsValue};
 const TYPES: &str = r#"
 /** The points of the model that is written. */
 export interface PointColumns {
+    /** What the points are called by. */
+    numbers: Uint32Array;
     rays: Uint16Array;
     /** NaN where a point is not adjusted. */
     rmse_px: Float64Array;
@@ -120,6 +122,7 @@ impl FinishedBlock {
         let packed = pack(&BlockOverview::new(&self.run).map_err(thrown)?);
         let points = PointColumns::new(&self.run);
         let columns = object([
+            ("numbers", Uint32Array::from(&points.numbers[..]).unchecked_into()),
             ("rays", Uint16Array::from(&points.rays[..]).unchecked_into()),
             ("rmse_px", numbers(points.rmse_px)),
             ("positions", numbers(points.positions.into_iter().flatten())),
@@ -166,6 +169,11 @@ impl FinishedBlock {
     #[wasm_bindgen(unchecked_return_type = "PointSource[]")]
     pub fn point_ids(&self) -> JsValue {
         pack(&point_ids(&self.run))
+    }
+
+    /// The number of a point, also where it is rejected; absent for a block that is not oriented.
+    pub fn point_number(&self, #[wasm_bindgen(unchecked_param_type = "PointSource")] point: &JsValue) -> JsResult<Option<u32>> {
+        Ok(self.run.point_number(read("point", point)?))
     }
 
     /// All that is known of a point of the model that is written.

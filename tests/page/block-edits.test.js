@@ -99,14 +99,18 @@ test('observations and images are rejected, a point is measured by keyboard, all
   await page.keyboard.press('Enter');
   await undoIs(page, /^Undo: add 1 point in \d images/);
   assert.ok(Date.now() - began < 20_000, `${Date.now() - began} ms`);
-  assert.match(await says(page, 'image-point', / rays/), /^Point by hand \d+ · X Y Z .* · [3-6] rays · RMSE/);
+  assert.match(await says(page, 'image-point', / rays/), /^Point by hand 2[\s0]+1 · X Y Z .* · [3-6] rays · RMSE/);
   await says(page, 'figures-0', /by hand/);
   await page.screenshot({ path: join(SHOTS, 'block-edits-point.png') });
 
   // A point that was rejected stays in sight, chosen: in the images, in its table and on the map it is restored by the same key.
   await part(page, 'block-show-images').click();
+  await page.waitForFunction(() => /view=images&point=/.test(window.location.hash));
+  const address = new URL(page.url()).hash;
   await page.keyboard.press('Shift+Delete');
   await undoIs(page, /^Undo: reject 1 point \(/);
+  // It has its number still, by which the address names it.
+  assert.equal(new URL(page.url()).hash, address);
   await says(page, 'figures-0', /rejected by hand/);
   await part(page, 'tab-block-points').click();
   await part(page, 'block-points-filter-point-part').fill('hand');

@@ -118,7 +118,7 @@ pub fn read_project(bytes: &[u8]) -> Result<Project, Error> {
         _ => json::from_text(rest),
     };
     match read {
-        Ok(Project::Block(run)) => check(&run).map(|()| Project::Block(run)),
+        Ok(Project::Block(run)) => check(&run).map(|()| Project::Block(Box::new(run.numbered()))),
         Ok(Project::Pair(run)) => run.in_order().map(|run| Project::Pair(Box::new(run))),
         Err(json_fault) => refused(FilePlace::Content, FileFault::Content { json_fault: Box::new(json_fault) }),
     }

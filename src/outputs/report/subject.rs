@@ -19,6 +19,8 @@ pub(super) struct Subject<'a> {
     pub run: &'a BlockRun,
     pub summary: &'a Summary,
     pub pairs: &'a [PairRow],
+    /// Of the points that are written.
+    pub numbers: Vec<u32>,
     /// The model that is written; absent without an orientation.
     pub model: Option<&'a ReconstructedModel>,
     /// Its surveyed points in the system of the tables.
@@ -27,7 +29,7 @@ pub(super) struct Subject<'a> {
 
 impl<'a> Subject<'a> {
     pub fn new(texts: &'a Texts, run: &'a BlockRun, summary: &'a Summary, pairs: &'a [PairRow]) -> Self {
-        Self { texts, run, summary, pairs, model: written(run), surveyed: InSystem::of(run).surveyed() }
+        Self { texts, run, summary, pairs, numbers: run.model.point_numbers(), model: written(run), surveyed: InSystem::of(run).surveyed() }
     }
 
     /// By what its standard errors grow for 95 %; absent without any.
@@ -40,9 +42,10 @@ impl<'a> Subject<'a> {
         self.run.images.get(image).map_or_else(String::new, |image| shorten(&image.name))
     }
 
-    /// The number of a point in `points.csv`, with its name where it was surveyed.
-    pub fn point(&self, number: usize) -> String {
-        match self.run.model.points.get(number).and_then(|point| point.name.as_ref()) {
+    /// The number of a point, with its name where it was surveyed. `point`: its place in the model that is written.
+    pub fn point(&self, point: usize) -> String {
+        let number = self.numbers[point];
+        match self.run.model.points.get(point).and_then(|point| point.name.as_ref()) {
             Some(name) => format!("{number} ({})", shorten(name)),
             None => number.to_string(),
         }

@@ -78,6 +78,8 @@ function madeView(count: number, images: number): BlockView {
     count,
     taking: count,
     sources: made(count, (i) => 3 * i),
+    lost: new Set(),
+    numbers: Uint32Array.from({ length: count }, (_, i) => i + 1),
     rays: Uint16Array.from({ length: count }, () => 2 + Math.floor(8 * noise())),
     rmsePx: made(count, noise),
     positions: made(3 * count, (i) => (i % 3 === 2 ? 20 : BASE * side) * noise()),

@@ -1,4 +1,7 @@
-/** Points that were rejected by hand, beside those of the block that is held: they stay in sight, so that they can be restored where they were rejected. */
+/**
+ * Points that were rejected by hand, or that what was measured by hand leaves without rays that meet, beside those of the block that is held: they stay in
+ * sight, so that they can be restored, or moved back, where they were.
+ */
 import type { BlockEdit, FinishedBlock, ObservationDetail, PointColumns, PointDetail, PointSource } from '../../../pkg/wasm/tiepoint.js';
 import { codeOfSource, standingOf } from '../state/edits';
 import { addedPoints } from '../state/added';
@@ -6,7 +9,8 @@ import type { AddedPoint } from '../state/added';
 import type { ImagePoints } from '../state/facts';
 import type { BlockView, ViewPoints, ViewSurveyed } from '../state/view';
 
-/** How `ImagePoints` has what was rejected by hand. */
+/** How `ImagePoints` has what the adjustment rejected, and what was rejected by hand. */
+const REJECTED = 1;
 const BY_HAND = 2;
 
 /** A block as it was found, of which edits leave something out. */
@@ -41,14 +45,15 @@ export class Found {
   }
 }
 
-/** A point that was rejected. */
+/** A point that takes no part. */
 interface Gone {
   source: PointSource;
+  isLost: boolean;
   /** In the block as it was found; -1 for one that was added by hand. */
   index: number;
 }
 
-/** What was rejected by hand of a block, as long as it is held with these edits. */
+/** What a block does not use after edits by hand, as long as it is held with these edits. */
 export class Rejected {
   private readonly gone: readonly Gone[];
   /** Places among them by their indices in the block as it was found. */
@@ -63,13 +68,14 @@ export class Rejected {
   ) {
     const { points, unused, observations } = standingOf(edits);
     const named = [...points.values(), ...[...unused].map((control) => ({ ground_control: control })), ...[...observations.values()].map(({ point }) => point)];
+    const rejected = new Set(named.map(codeOfSource));
     const has = new Set(sources);
-    const codes = new Map(named.map((source) => [codeOfSource(source), source]));
-    this.gone = [...codes].filter(([code]) => !has.has(code)).map(([code, source]) => ({ source, index: found.indexOf(code) }));
+    const codes = new Map([...named, ...measuredPoints(edits)].map((source) => [codeOfSource(source), source]));
+    this.gone = [...codes].filter(([code]) => !has.has(code)).map(([code, source]) => ({ source, isLost: !rejected.has(code), index: found.indexOf(code) }));
     this.byIndex = new Map(this.gone.flatMap(({ index }, place) => (index < 0 ? [] : [[index, place] as const])));
   }
 
-  /** The view of the edited block, and behind its points those that were rejected. */
+  /** The view of the edited block, and behind its points those that take no part. */
   inView(view: BlockView): BlockView {
     const { gone, taking, found } = this;
     if (gone.length === 0) return view;
@@ -77,7 +83,9 @@ export class Rejected {
     const all: ViewPoints = {
       ...points,
       count: taking + gone.length,
+      lost: new Set(gone.flatMap(({ isLost }, place) => (isLost ? [taking + place] : []))),
       sources: longer(points.sources, gone.length),
+      numbers: longer(points.numbers, gone.length),
       rays: longer(points.rays, gone.length),
       rmsePx: longer(points.rmsePx, gone.length),
       positions: longer(points.positions, 3 * gone.length),
@@ -87,7 +95,8 @@ export class Rejected {
     gone.forEach(({ source, index }, place) => {
       const at = taking + place;
       all.sources[at] = codeOfSource(source);
-      all.rays[at] = index < 0 ? this.byHand(source).length : found.column('rays', index);
+      all.numbers[at] = found.block.point_number(source) ?? 0;
+      all.rays[at] = index < 0 ? this.byHand(source).size : found.column('rays', index);
       all.rmsePx[at] = NaN;
       all.confidence[at] = index < 0 ? 1 : found.column('confidence', index);
       for (const axis of [0, 1, 2]) {
@@ -102,21 +111,18 @@ export class Rejected {
   inImage(of: ImagePoints, image: number): ImagePoints {
     const { gone, byIndex, taking } = this;
     if (gone.length === 0) return of;
-    const points: number[] = [];
-    const places: number[] = [];
-    const add = (place: number, x: number, y: number) => {
-      points.push(taking + place);
-      places.push(x, y);
-    };
+    const found = new Map<number, readonly [number, number]>();
     const before = this.found.block.image_points(image);
     before.points.forEach((index, row) => {
       const place = byIndex.get(index);
-      if (place !== undefined) add(place, before.places[2 * row] ?? NaN, before.places[2 * row + 1] ?? NaN);
+      if (place !== undefined) found.set(place, [before.places[2 * row] ?? NaN, before.places[2 * row + 1] ?? NaN]);
     });
-    gone.forEach(({ source, index }, place) => {
-      if (index >= 0) return;
-      for (const { image: own, x_px, y_px } of this.byHand(source)) if (own === image) add(place, x_px, y_px);
+    gone.forEach(({ source }, place) => {
+      const own = this.byHand(source).get(image);
+      if (own !== undefined) found.set(place, [own.x_px, own.y_px]);
     });
+    const points = [...found.keys()];
+    const places = [...found.values()].flat();
     const rows = of.points.length;
     const all: ImagePoints = {
       points: longer(of.points, points.length),
@@ -127,37 +133,35 @@ export class Rejected {
       detectable: longer(of.detectable, places.length).fill(NaN, 2 * rows),
       parts: longer(of.parts, points.length).fill(BY_HAND, rows),
     };
-    all.points.set(points, rows);
+    points.forEach((place, row) => {
+      if (gone[place]?.isLost === true) all.parts[rows + row] = REJECTED;
+    });
+    all.points.set(
+      points.map((place) => taking + place),
+      rows,
+    );
     all.places.set(places, 2 * rows);
     return all;
   }
 
-  /** What is known of a rejected point; null of one that takes part. */
+  /** What is known of a point that takes no part; null of one that does. */
   detail(point: number): PointDetail | null {
     const gone = this.gone[point - this.taking];
     if (gone === undefined) return null;
-    const { source, index } = gone;
-    if (index < 0) {
-      const observations = this.byHand(source).map(({ image, x_px, y_px }) => ({ ...UNADJUSTED, image, x_px, y_px, by_hand: true }));
-      return {
-        id: source,
-        name: this.added(source)?.edit.name ?? null,
-        role: null,
-        position: null,
-        errors: null,
-        rmse_px: null,
-        confidence: 1,
-        observations,
-        elsewhere: [],
-      };
-    }
-    const detail = this.found.block.point(index);
+    const { source, isLost, index } = gone;
+    const part = isLost ? 'lost_point' : 'rejected_by_hand';
+    const known = index < 0 ? null : this.found.block.point(index);
+    const observations = new Map(known?.observations.map((one) => [one.image, one]));
+    for (const [image, one] of this.byHand(source)) observations.set(image, { ...UNADJUSTED, ...one, by_hand: true });
     return {
-      ...detail,
+      id: source,
+      name: known?.name ?? this.added(source)?.edit.name ?? null,
       role: null,
+      position: known?.position ?? null,
       errors: null,
       rmse_px: null,
-      observations: detail.observations.map(({ image, x_px, y_px, by_hand }) => ({ ...UNADJUSTED, image, x_px, y_px, by_hand })),
+      confidence: known?.confidence ?? 1,
+      observations: [...observations.values()].map(({ image, x_px, y_px, by_hand }) => ({ ...UNADJUSTED, part, image, x_px, y_px, by_hand })),
       elsewhere: [],
     };
   }
@@ -187,13 +191,21 @@ export class Rejected {
     return { ...none, name, role: use ?? 'control', rays: 0, position, control: added.control, point: -1, isUsed: false, byHand: true };
   }
 
-  /** The places of a point that was added by hand. */
-  private byHand(source: PointSource) {
+  /** Where a point was measured by hand, by image. */
+  private byHand(source: PointSource): ReadonlyMap<number, Place> {
     const added = 'manual' in source ? this.edits.filter((edit) => edit.kind === 'add_point')[source.manual]?.observations : [];
-    const places = new Map(added?.map((one) => [one.image, one]));
-    for (const edit of this.edits) if (edit.kind === 'measure' && codeOfSource(edit.point) === codeOfSource(source)) places.set(edit.image, edit);
-    return [...places.values()];
+    const code = codeOfSource(source);
+    const measured = this.edits.filter((edit) => edit.kind === 'measure').filter(({ point }) => codeOfSource(point) === code);
+    return new Map([...(added ?? []), ...measured].map(({ image, x_px, y_px }) => [image, { image, x_px, y_px }]));
   }
+}
+
+type Place = Pick<ObservationDetail, 'image' | 'x_px' | 'y_px'>;
+
+/** The points that were measured by hand, without surveyed ones: what is not adjusted of these stands among those that were given. */
+function measuredPoints(edits: readonly BlockEdit[]): PointSource[] {
+  const added = edits.filter((edit) => edit.kind === 'add_point').map((_, manual) => ({ manual }));
+  return [...added, ...edits.flatMap((edit) => (edit.kind === 'measure' && !('ground_control' in edit.point) ? [edit.point] : []))];
 }
 
 const UNADJUSTED: Omit<ObservationDetail, 'image' | 'x_px' | 'y_px'> = {

@@ -163,6 +163,7 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
     testid: `block-${subject}`,
     words: { table: title, region: say('table', { title }) },
     file: `block-${subject}.csv`,
+    ...(subject === 'points' ? { order: 'point' } : {}),
     tools,
     point: (row) => looking.point(ofRow(row)),
     filter: (filter) => store.dispatch({ type: 'filter', subject, filter }),

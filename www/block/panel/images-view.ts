@@ -192,7 +192,7 @@ function pointText({ state }: BlockStore, view: ImagesView): string {
   const rejected = observations.length - taking;
   const [worst] = observations.map(({ image, w }) => ({ image, w: largest(w) ?? 0 })).sort((a, b) => b.w - a.w);
   const parts = [
-    name ?? `${id !== null && 'manual' in id ? say('point-by-hand') : say('tie-point')} ${count(chosen.point + 1)}`,
+    name ?? `${id !== null && 'manual' in id ? say('point-by-hand') : say('tie-point')} ${count(shown.points.numbers[chosen.point] ?? null)}`,
     position === null ? say('not-intersected') : coordinatesText(shown, position, 3),
     errors === null ? '' : inUnitOf(shown, `± ${errors.map((value) => fixed(value, 3)).join(' ')}`),
     say('rays', {

@@ -1,4 +1,5 @@
-/** The view and what is chosen in it, as the address of the page names them: `#view=map&point=12`. Images by their names, points by their numbers in the table. */
+/** The view and what is chosen in it, as the address of the page names them: `#view=map&point=12`. Images by their names, points by their numbers. */
+import { remember } from '../../shared/state/remember';
 import { choiceOfImages, choiceOfPairs, choiceOfPoints, pointsOf } from './selection';
 import type { Choice } from './selection';
 import type { BlockState, ViewName } from './state';
@@ -11,13 +12,16 @@ const MOST_POINTS = 100;
 const MOST_IMAGES = 50;
 const MOST_PAIRS = 25;
 
+const places = remember((numbers: Uint32Array): ReadonlyMap<number, number> => new Map([...numbers].map((number, point) => [number, point])));
+
 /** What follows the `#`; empty where no block is shown. */
 export function addressOf({ shown, onStage, selection: { chosen } }: Pick<BlockState, 'shown' | 'onStage' | 'selection'>): string {
   if (shown === null) return '';
   const named = new URLSearchParams({ view: onStage });
   const name = (image: number) => shown.view.images[image]?.name ?? '';
+  const { numbers } = shown.view.points;
   const points = pointsOf(chosen);
-  if (points.length > 0 && points.length <= MOST_POINTS) named.set('point', [...points].map((point) => String(point + 1)).join(','));
+  if (points.length > 0 && points.length <= MOST_POINTS) named.set('point', [...points].map((point) => String(numbers[point] ?? 0)).join(','));
   if (chosen?.kind === 'image' || chosen?.kind === 'observation') named.append('image', name(chosen.image));
   if (chosen?.kind === 'images' && chosen.images.length <= MOST_IMAGES) for (const image of chosen.images) named.append('images', name(image));
   if (chosen?.kind === 'pair') for (const image of chosen.images) named.append('image', name(image));
@@ -75,8 +79,8 @@ export function asked(address: string, view: BlockView): { view: ViewName; choic
   const pairs = ofPairs.flatMap((a, at) => (at % 2 === 0 ? [[a, ofPairs[at + 1] ?? -1] as const] : [])).filter((pair) => !pair.includes(-1));
   const points = (named.get('point') ?? '')
     .split(',')
-    .map((number) => Number(number) - 1)
-    .filter((point) => Number.isInteger(point) && point >= 0 && point < view.points.count);
+    .map((number) => places(view.points.numbers).get(Number(number)) ?? -1)
+    .filter((point) => point >= 0);
   if (pairs.length > 0) return { view: wanted, choice: choiceOfPairs(pairs) };
   return { view: wanted, choice: several.length > 0 ? choiceOfImages(several) : choiceOf(images, points) };
 }

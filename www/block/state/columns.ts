@@ -124,6 +124,8 @@ function pointRows(view: BlockView): Rows {
       total: 'rms',
     }),
   ];
+  // Rejected points are in no total.
+  const parts = points.count === points.taking ? [] : [{ label: say('accepted'), has: (row: number) => row < points.taking }];
   const kindOf = (point: number) => KINDS[surveyedAt(view, point)?.role ?? 'tie'];
   return {
     count: points.count,
@@ -136,9 +138,14 @@ function pointRows(view: BlockView): Rows {
       ...axis('Y', 1),
       ...axis('Z', 2),
       numbers('confidence', say('probability'), '', 3, (i) => points.confidence[i] ?? NaN, say('probability-that-all-its-observations'), { total: 'mean' }),
-      words('point-part', say('part'), (i) => (i < points.taking ? say('accepted') : say('rejected-by-hand-2')), say('whether-the-point-takes-part')),
+      { ...words('point-part', say('part'), (i) => partOfPoint(points, i), say('whether-the-point-takes-part')), parts },
     ],
   };
+}
+
+function partOfPoint({ taking, lost }: BlockView['points'], point: number): string {
+  if (point < taking) return say('accepted');
+  return lost.has(point) ? say('rejected-2') : say('rejected-by-hand-2');
 }
 
 const KINDS = { tie: say('tie-point-2'), control: say('control-point'), check: say('check-point') } as const;

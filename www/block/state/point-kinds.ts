@@ -23,14 +23,14 @@ export function surveyedAt({ surveyed }: Pick<BlockView, 'surveyed'>, point: num
 }
 
 /** The name of a ground control or check point, the number of a tie point. */
-export function pointText(view: Pick<BlockView, 'surveyed'>, point: number): string {
-  return surveyedAt(view, point)?.name ?? count(point + 1);
+export function pointText(view: WithPoints, point: number): string {
+  return surveyedAt(view, point)?.name ?? count(view.points.numbers[point] ?? null);
 }
 
 /** A column of points, sorted by their numbers. `point`: that of a row. */
-export function pointColumn(view: Pick<BlockView, 'surveyed'>, key: string, point: (row: number) => number | undefined, help: string): Column {
+export function pointColumn(view: WithPoints, key: string, point: (row: number) => number | undefined, help: string): Column {
   const index = (row: number) => point(row) ?? NaN;
-  return { ...numbers(key, say('point'), '', 0, (row) => index(row) + 1, help), text: (row) => pointText(view, index(row)) };
+  return { ...numbers(key, say('point'), '', 0, (row) => view.points.numbers[index(row)], help), text: (row) => pointText(view, index(row)) };
 }
 
 /** How many tie points take part, and how many ground control and check points; `gone`: tie points that were rejected by hand. */
@@ -42,6 +42,6 @@ export const countedPoints = remember(({ points, surveyed }: WithPoints): { tie:
   return {
     tie: { points: points.taking - known.length, observations: observations - own },
     surveyed: { points: known.length, observations: own },
-    gone: points.count - points.taking - (all.length - known.length),
+    gone: points.count - points.taking - points.lost.size - (all.length - known.length),
   };
 });

@@ -80,10 +80,14 @@ export interface Layout {
 /** One a point. */
 export interface ViewPoints {
   count: number;
-  /** The first of them, so many, take part; the others were rejected by hand. */
+  /** The first of them, so many, take part; the others were rejected by hand, or lost. */
   taking: number;
+  /** Those that no edit rejects: what was measured by hand leaves them without rays that meet. */
+  lost: ReadonlySet<number>;
   /** What each is, as a code (see `edits.ts`); empty where the block is not oriented. */
   sources: Float64Array;
+  /** What each is called by. */
+  numbers: Uint32Array;
   rays: Uint16Array;
   /** NaN where the points are not adjusted. */
   rmsePx: Float64Array;

@@ -127,7 +127,7 @@ function describePairs(view: BlockView, pairs: readonly (readonly [number, numbe
 
 /** As tables and views call it: of a surveyed point its name. */
 export function nameOfPoint(view: BlockView, point: number): string {
-  return surveyedAt(view, point)?.name ?? say('point-of-number', { number: point + 1 });
+  return surveyedAt(view, point)?.name ?? say('point-of-number', { number: view.points.numbers[point] ?? 0 });
 }
 
 function describePoint(view: BlockView, point: number): string {
@@ -140,7 +140,7 @@ function describePoint(view: BlockView, point: number): string {
     known(points.rmsePx[point]) ? say('rmse-px-3', { rmse_px: points.rmsePx[point] ?? NaN }) : '',
     known(points.positions[3 * point]) ? coordinatesText(view, [x, y, z], 2) : say('not-intersected'),
     errors.every(known) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(' ')}`) : '',
-    point < points.taking ? '' : say('rejected-by-hand-2'),
+    point < points.taking ? '' : say(points.lost.has(point) ? 'rejected-2' : 'rejected-by-hand-2'),
   ];
   return `${parts.filter((part) => part !== '').join('; ')}.`;
 }
@@ -176,7 +176,7 @@ function describePoints(view: BlockView, chosen: Uint32Array): string {
     squares += rays * rmse * rmse;
     adjusted += rays;
   }
-  const gone = chosen.length - chosen.filter((point) => point < points.taking).length;
+  const gone = chosen.length - chosen.filter((point) => point < points.taking || points.lost.has(point)).length;
   const rays = least === most ? count(most) : say('to', { least, most });
   return say('tie-points-of-rays', {
     chosen: chosen.length,

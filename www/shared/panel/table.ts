@@ -31,6 +31,8 @@ export interface TableOptions {
   file?: string;
   /** Further things in the bar. */
   tools?: readonly HTMLElement[];
+  /** The column by which rows are sorted at first, where there is such a one. */
+  order?: string;
 }
 
 const ALL = () => true;
@@ -60,7 +62,7 @@ export class Table {
   private keep: (row: number) => boolean = ALL;
   private conditions: Filter = {};
   private shown: Uint32Array = new Uint32Array();
-  private order: Order = { key: '', descending: false };
+  private order: Order;
   /** All rows as they are sorted: other conditions leave their order. */
   private readonly inOrder = remember(ordered);
   private marked = -1;
@@ -73,6 +75,7 @@ export class Table {
     host: HTMLElement,
     private readonly options: TableOptions,
   ) {
+    this.order = { key: options.order ?? '', descending: false };
     const { testid, words, file } = options;
     this.help = h('p', { class: 'help', hidden: true, testid: `${testid}-help` });
     this.problem = h('p', {

@@ -54,8 +54,9 @@ export class Measuring {
       return;
     }
     const [point, ...more] = pointsOf(chosen);
-    // What was rejected is restored first.
-    if (!anew && point !== undefined && point >= state.shown.view.points.taking) return;
+    // What was rejected is restored first; what is lost may be moved back.
+    const { taking, lost } = state.shown.view.points;
+    if (!anew && point !== undefined && point >= taking && !lost.has(point)) return;
     const of = anew || point === undefined || more.length > 0 ? null : sourceOf(state.shown.view, point);
     if (of === null && !anew) return;
     if (of === null) this.store.dispatch({ type: 'choose', choice: null });
