@@ -32,9 +32,16 @@ test('a damaged project is refused plainly', () => {
 
 test('covariances of images and points of a project are written as a table', () => {
   const project = join(WHOLE.out, 'project.tiepoint');
-  const [first] = FinishedBlock.open(readFileSync(project)).model().images;
+  const block = FinishedBlock.open(readFileSync(project));
+  const [first] = block.model().images;
+  const [number = 0] = block.overview().points.numbers;
+  // As points.csv and rays.csv have it.
+  for (const name of ['points.csv', 'rays.csv'])
+    assert.match(readFileSync(join(WHOLE.out, name), 'utf8').split('\n')[1] ?? '', new RegExp(`^${number},`), name);
+  assert.deepEqual(block.point_number(block.point_ids()[0] ?? { manual: 0 }), number);
+  block.free();
   const out = join(folder(), 'covariances.csv');
-  const { code, stderr } = tiepoint('covariances', project, '--of', `${first?.name},point:0`, '--out', out);
+  const { code, stderr } = tiepoint('covariances', project, '--of', `${first?.name},point:${number}`, '--out', out);
   assert.equal(code, 0, stderr);
   const [head = [], ...rows] = readFileSync(out, 'utf8')
     .trim()
