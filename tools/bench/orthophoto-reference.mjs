@@ -85,7 +85,7 @@ async function asBlock(folder, names, more) {
   if (![0, WEAK].includes(code)) throw new Error(`the block ended with ${code}\n${output.slice(-2000)}`);
   const { verdict, orthophoto } = readJson(join(out, 'summary.json'));
   console.log(
-    `  block ${verdict.kind}; ${orthophoto.kind === 'linked' ? `${orthophoto.linked} of ${orthophoto.images} images linked` : 'not linked to the orthophoto'}`,
+    `  ${verdict.text} ${orthophoto.kind === 'linked' ? `${orthophoto.linked} of ${orthophoto.images} images linked` : 'not linked to the orthophoto'}`,
   );
   if (orthophoto.kind !== 'linked') return [];
   const [head = '', ...rows] = readFileSync(join(out, 'images.csv'), 'utf8').trim().split('\n');
