@@ -2583,14 +2583,19 @@ function withRemoved(state) {
 }
 function removable(files, choice, names) {
 	if (choice?.kind !== "image" && choice?.kind !== "images") return [];
-	const chosen = new Set(imagesOf(choice).map((image) => names[image]?.name));
-	const found = files.filter(({ name }) => chosen.has(name));
-	return found.length === chosen.size && files.length - found.length >= LEAST_IMAGES ? found : [];
+	return removableFiles(files, new Set(imagesOf(choice).map((image) => names[image]?.name ?? "")));
+}
+function removableFiles(files, names) {
+	const found = files.filter(({ name }) => names.has(name));
+	return found.length === names.size && files.length - found.length >= LEAST_IMAGES ? found : [];
 }
 // www/block/state/point-kinds.ts
 var surveyedOf = remember((surveyed) => new Map(surveyed.map((known) => [known.point, known])));
 function surveyedAt({ surveyed }, point) {
 	return surveyedOf(surveyed).get(point);
+}
+function isMeasurable({ points: { taking, lost } }, point) {
+	return point < taking || lost.has(point);
 }
 function pointText$1(view, point) {
 	return surveyedAt(view, point)?.name ?? count(view.points.numbers[point] ?? null);
@@ -2743,7 +2748,7 @@ function describePoint(view, point) {
 			z
 		], 2) : say("not-intersected"),
 		errors.every(known$1) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(" ")}`) : "",
-		point < points.taking ? "" : say(points.lost.has(point) ? "rejected-2" : "rejected-by-hand-2")
+		point < points.taking ? "" : say(points.lost.has(point) ? "too-few-rays" : "rejected-by-hand-2")
 	].filter((part) => part !== "").join("; ")}.`;
 }
 function describeGiven(view, given, name) {
@@ -3446,11 +3451,11 @@ function split(point, images) {
 		},
 		{
 			kind: "add_point",
-			observations: within
+			observations: beside
 		},
 		{
 			kind: "add_point",
-			observations: beside
+			observations: within
 		}
 	];
 }
@@ -3719,8 +3724,8 @@ function mountEditBar(store, facts, measures) {
 		const inImages = state.onStage === "images";
 		const given = chosen?.kind === "given";
 		measure.hidden = drafting || !(inImages || given);
-		const { taking = 0 } = state.shown?.view.points ?? {};
-		measure.disabled = chosen?.kind !== "given" && (chosen?.kind !== "point" && chosen?.kind !== "observation" || chosen.point >= taking);
+		const isPoint = chosen?.kind === "point" || chosen?.kind === "observation";
+		measure.disabled = !given && !(isPoint && state.shown !== null && isMeasurable(state.shown.view, chosen.point));
 		add.hidden = drafting || !inImages;
 		joining.hidden = drafting || toJoin(state, facts) === null;
 		parting.hidden = drafting || !inImages || splitOf(state, facts) === null;
@@ -7200,7 +7205,7 @@ function pointRows(view) {
 }
 function partOfPoint({ taking, lost }, point) {
 	if (point < taking) return say("accepted");
-	return lost.has(point) ? say("rejected-2") : say("rejected-by-hand-2");
+	return say(lost.has(point) ? "too-few-rays" : "rejected-by-hand-2");
 }
 var KINDS = {
 	tie: say("tie-point-2"),
@@ -8801,8 +8806,7 @@ var Measuring = class {
 			return;
 		}
 		const [point, ...more] = pointsOf(chosen);
-		const { taking, lost } = state.shown.view.points;
-		if (!anew && point !== void 0 && point >= taking && !lost.has(point)) return;
+		if (!anew && point !== void 0 && !isMeasurable(state.shown.view, point)) return;
 		const of = anew || point === void 0 || more.length > 0 ? null : sourceOf$1(state.shown.view, point);
 		if (of === null && !anew) return;
 		if (of === null) this.store.dispatch({
@@ -10255,7 +10259,8 @@ function pointText({ state }, view) {
 	const { id, name, position, errors, rmse_px, observations, elsewhere } = chosen.detail;
 	const panes = shownImages(state.panes, shown);
 	const seen = observations.filter(({ image }) => panes.includes(image)).length;
-	const taking = observations.filter(({ part }) => PARTS[part] === "").length || observations.length;
+	const of = (...parts) => observations.filter(({ part }) => parts.includes(part)).length;
+	const taking = of("accepted") || of("lost_point", "rejected_by_hand") || observations.length;
 	const rejected = observations.length - taking;
 	const [worst] = observations.map(({ image, w }) => ({
 		image,
@@ -15032,6 +15037,13 @@ function mountResults(host, store, takeOff) {
 	const body = h("div", { testid: "block-results" });
 	host.append(body);
 	const off = button(say("without-the-orthophoto"), "block-off-ground", takeOff, say("the-block-as-it-was"));
+	const out = button(say("take-these-out"), "block-remove-left-out", () => {
+		const step = outOf(store.state);
+		if (step !== null) store.dispatch({
+			type: "mark",
+			step
+		});
+	});
 	store.watch([
 		"shown",
 		"files",
@@ -15039,10 +15051,11 @@ function mountResults(host, store, takeOff) {
 		"placing",
 		"skipped"
 	], ([shown, , , , skipped]) => {
+		out.hidden = outOf(store.state) === null;
 		body.classList.toggle("is-stale", isStale(store.state));
 		const placed = placedOf(store.state);
 		const none = placed === null ? h("p", { class: "note" }, say("no-block-yet-drop-images")) : null;
-		fill(body, ...shown === null ? [none] : sectionsOf(shown, off, (text) => readable(store.state.catalogue?.labels ?? null, text)), placed, shown === null ? null : strays(say("other-files-skipped"), "block-other-files", skipped, say("no-images-by-their-names")));
+		fill(body, ...shown === null ? [none] : sectionsOf(shown, off, out, (text) => readable(store.state.catalogue?.labels ?? null, text)), placed, shown === null ? null : strays(say("other-files-skipped"), "block-other-files", skipped, say("no-images-by-their-names")));
 	});
 	store.watch([
 		"running",
@@ -15050,6 +15063,7 @@ function mountResults(host, store, takeOff) {
 		"placing"
 	], () => {
 		off.disabled = isBusy(store.state);
+		out.disabled = isBusy(store.state);
 	});
 }
 var REASONS = [
@@ -15064,15 +15078,15 @@ function showReasons(host) {
 	first.scrollIntoView({ block: "start" });
 	first.focus({ preventScroll: true });
 }
-function sectionsOf(shown, off, written) {
+function sectionsOf(shown, off, out, written) {
 	const { view } = shown;
 	if (view.partial) return [
-		leftOut(view),
+		leftOut(view, out),
 		section(say("so-far"), "block-facts", facts(partialFacts(view))),
 		section(say("cameras"), "block-cameras", cameraTable(view))
 	];
 	return [
-		leftOut(view),
+		leftOut(view, out),
 		strays(say("masks-without-an-image"), "block-stray-masks", view.strayMasks, say("no-image-has-their-name")),
 		strays(say("image-measurements-without-an-image"), "block-stray-marks", view.strayMarks, say("not-among-the-images-read")),
 		listOf(say("remarks"), "block-remarks", view.remarks.map(written)),
@@ -15303,9 +15317,17 @@ function groupText({ groups, images }) {
 		what: alone > 0 ? say("single", { alone }) : ""
 	});
 }
-function leftOut(view) {
+function leftOut(view, out) {
 	if (view.leftOut.length === 0) return null;
-	return section(say("skipped-that-cannot-be-read", { left_out: view.leftOut.length }), "block-left-out", reasons(view.leftOut));
+	return section(say("skipped-that-cannot-be-read", { left_out: view.leftOut.length }), "block-left-out", reasons(view.leftOut), out);
+}
+function outOf({ shown, files, history }) {
+	const out = removableFiles(files, new Set(shown?.view.leftOut.map(({ name }) => name)));
+	return out.length === 0 ? null : {
+		kind: "remove_images",
+		files: out.map(({ id }) => id),
+		after: history.done
+	};
 }
 function notOriented(view) {
 	const lost = view.images.filter(({ oriented }) => !oriented);
@@ -15972,6 +15994,8 @@ function countsOf({ view, seconds }) {
 		images: view.images.length,
 		verdict: "",
 		skipped: view.leftOut.length,
+		name: view.leftOut[0]?.name ?? "",
+		reason: view.leftOut[0]?.reason ?? "",
 		pairs: connectedPairs(view),
 		points: counted.tie.points,
 		surveyed: counted.surveyed.points,

@@ -3768,13 +3768,15 @@
 	var Found = class {
 		block;
 		givenControl;
+		sources;
 		places;
 		columns;
 		surveyed;
 		constructor(block, surveyed, givenControl) {
 			this.block = block;
 			this.givenControl = givenControl;
-			this.places = new Map(block.point_ids().map((id, point) => [codeOfSource(id), point]));
+			this.sources = block.point_ids();
+			this.places = new Map(this.sources.map((id, point) => [codeOfSource(id), point]));
 			this.columns = block.overview().points;
 			this.surveyed = new Map(surveyed.map((known) => [known.control, known]));
 		}
@@ -3806,7 +3808,7 @@
 			];
 			const rejected = new Set(named.map(codeOfSource));
 			const has = new Set(sources);
-			const codes = new Map([...named, ...measuredPoints(edits)].map((source) => [codeOfSource(source), source]));
+			const codes = new Map([...named, ...tiePoints(found, edits)].map((source) => [codeOfSource(source), source]));
 			this.gone = [...codes].filter(([code]) => !has.has(code)).map(([code, source]) => ({
 				source,
 				isLost: !rejected.has(code),
@@ -3888,12 +3890,13 @@
 			const gone = this.gone[point - this.taking];
 			if (gone === void 0) return null;
 			const { source, isLost, index } = gone;
-			const part = isLost ? "lost_point" : "rejected_by_hand";
+			const partOf = (part) => part !== "accepted" ? part : isLost ? "lost_point" : "rejected_by_hand";
 			const known = index < 0 ? null : this.found.block.point(index);
 			const observations = new Map(known?.observations.map((one) => [one.image, one]));
 			for (const [image, one] of this.byHand(source)) observations.set(image, {
 				...UNADJUSTED,
 				...one,
+				part: "accepted",
 				by_hand: true
 			});
 			return {
@@ -3904,9 +3907,9 @@
 				errors: null,
 				rmse_px: null,
 				confidence: known?.confidence ?? 1,
-				observations: [...observations.values()].map(({ image, x_px, y_px, by_hand }) => ({
+				observations: [...observations.values()].map(({ part, image, x_px, y_px, by_hand }) => ({
 					...UNADJUSTED,
-					part,
+					part: partOf(part),
 					image,
 					x_px,
 					y_px,
@@ -3981,8 +3984,9 @@
 			}]));
 		}
 	};
-	function measuredPoints(edits) {
-		return [...edits.filter((edit) => edit.kind === "add_point").map((_, manual) => ({ manual })), ...edits.flatMap((edit) => edit.kind === "measure" && !("ground_control" in edit.point) ? [edit.point] : [])];
+	function tiePoints(found, edits) {
+		const added = edits.filter((edit) => edit.kind === "add_point").map((_, manual) => ({ manual }));
+		return [...found.sources.filter((source) => !("ground_control" in source)), ...added];
 	}
 	var UNADJUSTED = {
 		part: "rejected_by_hand",

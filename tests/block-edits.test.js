@@ -400,8 +400,8 @@ test('points that are one are joined, one that is two is split, as one step with
   const parts = split(four, [1, 3, 5]);
   assert.deepEqual(parts, [
     { kind: 'reject_points', points: [{ tie_point: 9 }] },
-    { kind: 'add_point', observations: [of(1), of(3)] },
     { kind: 'add_point', observations: [of(0), of(2)] },
+    { kind: 'add_point', observations: [of(1), of(3)] },
   ]);
   assert.equal(nameOfStep(parts), 'split 1 point into 2');
   assert.equal(split(four, [0, 1, 2]), null);

@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::sync::OnceLock;
 use tiepoint::{
-    BlockEdit, BlockFlight, BlockOverview, BlockRun, BlockScene, BlockSettings, ExportFormat, HandMeasurement, ImagePlace, MeasuredBy,
-    MultiscaleOptions, ObservationDetail, ObservationPart, PointColumns, PointImage, PointSource, Project, RefinementMethod, RunInput,
-    UnorientedReason, accuracy_map, block_covariances, block_epipolar_line, block_files, covariance_table, coverage, image_points,
-    images_in, planned_files, point_detail, point_ids, read_project, run_block, write_block_project,
+    BlockEdit, BlockFlight, BlockOverview, BlockRun, BlockScene, BlockSettings, BlockWarning, ExportFormat, HandMeasurement, ImagePlace,
+    MeasuredBy, MultiscaleOptions, ObservationDetail, ObservationPart, PointColumns, PointImage, PointSource, Project, RefinementMethod,
+    RunInput, UnorientedReason, accuracy_map, block_covariances, block_epipolar_line, block_files, covariance_table, coverage,
+    image_points, images_in, planned_files, point_detail, point_ids, read_project, run_block, write_block_project,
 };
 
 /// A small simulated block, one image of which has nothing in common with the others.
@@ -369,6 +369,37 @@ fn an_observation_that_is_moved_far_off_is_found_by_its_test() {
     let back = run.with_edits(&[measure(point, seen.image, to), measure(point, seen.image, [seen.x_px, seen.y_px])]).unwrap();
     let now = detail_of(&back, point).observations.into_iter().find(|o| o.image == seen.image).unwrap();
     assert_eq!((now.by_hand, now.part), (true, ObservationPart::Accepted));
+}
+
+#[test]
+fn observations_that_a_rejected_image_leaves_alone_are_no_gross_errors() {
+    let run = finished();
+    let image = run.images.iter().position(|image| image.name == "c.pgm").unwrap();
+    let left = run.with_edits(&[BlockEdit::RejectImages { images: vec![image] }]).unwrap();
+    let model = &left.reconstruction.as_ref().unwrap().models[0];
+    let alone = model.adjusted.points.iter().filter(|point| point.is_none()).count();
+    assert!(alone > 5, "{alone} points have lost their second ray");
+    assert!(!model.warnings.iter().any(|warning| matches!(warning, BlockWarning::ManyRejected { .. })), "{:?}", model.warnings);
+}
+
+#[test]
+fn what_is_refused_of_a_point_names_it_by_its_number() {
+    let run = finished();
+    let (_, point, _) = an_observation(run);
+    let observations = detail_of(run, point).observations.into_iter().filter(|seen| seen.part == ObservationPart::Accepted);
+    let own =
+        observations.map(|seen| HandMeasurement { image: seen.image, x_px: seen.x_px, y_px: seen.y_px, by: MeasuredBy::LeastSquares });
+    let points = vec![point];
+    let edits = [
+        BlockEdit::RejectPoints { points: points.clone() },
+        BlockEdit::AddPoint { observations: own.collect() },
+        BlockEdit::RestorePoints { points },
+    ];
+    let made = run.with_edits(&edits[..2]).unwrap();
+    let number = made.point_number(PointSource::Manual(0)).unwrap();
+    assert!(made.model.points.iter().any(|point| point.number == Some(number)) && number > 2000, "{number}");
+    let text = run.with_edits(&edits).unwrap_err().to_string();
+    assert!(text.contains(&format!("of which point by hand {number} was made")), "{text}");
 }
 
 #[test]

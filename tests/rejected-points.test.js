@@ -73,7 +73,7 @@ test('a point that a measurement leaves without rays that meet stays in sight, w
   const edits = [{ kind: 'measure', point: { tie_point: 9 }, image: 1, x_px: 400, y_px: 300, by: 'hand' }];
   const { rejected, view } = shown([4, 12], edits);
   assert.deepEqual([view.points.count, [...view.points.lost], view.points.numbers[2]], [3, [2], 10]);
-  assert.match(page.words.describe({ view, given: [] }, { kind: 'point', point: 2 }), /^point 10: 2 rays; .*; rejected\.$/u);
+  assert.match(page.words.describe({ view, given: [] }, { kind: 'point', point: 2 }), /^point 10: 2 rays; .*; rejected: too few rays that meet\.$/u);
   const { observations, position } = rejected.detail(2);
   const seen = observations.map(({ image, x_px, y_px, by_hand, part }) => [image, x_px, y_px, by_hand, part]);
   assert.deepEqual(seen, [
@@ -90,6 +90,21 @@ test('a point that a measurement leaves without rays that meet stays in sight, w
   // One that is rejected as well is not lost, but rejected by hand.
   const both = shown([4, 12], [...edits, { kind: 'reject_points', points: [{ tie_point: 9 }] }]);
   assert.deepEqual([both.view.points.lost.size, both.rejected.detail(2).observations[0].part], [0, 'rejected_by_hand']);
+});
+
+test('points that edits leave without two rays stay in sight, whatever the edit is about', () => {
+  const { rejected, view } = shown([12], [{ kind: 'reject_images', images: [1] }]);
+  assert.deepEqual(
+    [[...view.points.numbers], [...view.points.lost]],
+    [
+      [13, 5, 10],
+      [1, 2],
+    ],
+  );
+  assert.deepEqual(
+    rejected.detail(1).observations.map((/** @type {{ part: string }} */ { part }) => part),
+    ['lost_point', 'lost_point'],
+  );
 });
 
 test('a point that was measured in images alone, and does not meet, is shown where it was measured', () => {

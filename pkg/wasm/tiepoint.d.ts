@@ -2676,6 +2676,10 @@ export interface ReconstructionOptions {
      */
     tested_control: number | null;
     /**
+     * How many tie points there were to choose from, as far as that is known: above these count the numbers by which texts name other points.
+     */
+    found_points: number;
+    /**
      * The points that are given of the adjusted block; absent: all are adjusted and given.
      */
     selection: SelectOptions | null;

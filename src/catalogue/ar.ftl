@@ -1302,7 +1302,7 @@ refusal-no-intersection = أرصاد نقطة: أُعطي { $rays } من أرص�
 
 # Edits.
 refusal-no-observation = صورة رصدة: أُعطيت { $location }، وليس فيها رصدة لـ{ $point_name }؛ المسموح: صور تُظهر النقطة
-refusal-replaced-point = نقطة تُستعاد: أُعطيت { $point_name }، ومنها صُنعت { $other } ولها أرصادها؛ المسموح: التراجع عن الخطوة التي صنعت { $other }، أو رفضها أولًا
+refusal-replaced-point = نقطة تُستعاد: أُعطيت نقطة صُنعت منها { $point_name } ولها أرصادها؛ المسموح: التراجع عن الخطوة التي صنعت { $point_name }، أو رفضها أولًا
 refusal-rejected-point = نقطة مقيسة: أُعطيت { $point_name }، وهي لا تشارك؛ المسموح: نقاط مشاركة: استعدها أولًا
 refusal-new-point-images = صور نقطة جديدة: أُعطي { $images } لعدد { $observations } من الأرصاد؛ المسموح: صورتان أو أكثر، كل منها مرة واحدة
 refusal-measured-place = موضع مقيس: أُعطي ({ $x_px }, { $y_px }) في { $location }، خارج الصورة؛ المسموح: مواضع ضمن { $width_px } × { $height_px } بكسل
@@ -1676,8 +1676,8 @@ element-sigma = الخطأ المعياري
 element-weight = الوزن
 point-name-control = { $name }
 point-name-control-index = نقطة الضبط الأرضي أو التحقق { $point }
-point-name-manual = النقطة اليدوية { $point }
-point-name-tie-point = نقطة الربط { $point }
+point-name-manual = النقطة اليدوية { $number }
+point-name-tie-point = نقطة الربط { $number }
 described-none = لا شيء
 described-moments = { $descriptors } من واصفات العزوم
 described-gradients = { $bytes } بايت من التدرجات

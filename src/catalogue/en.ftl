@@ -429,7 +429,7 @@ refusal-covariance-point = covariances: got point { $point } of the adjustment (
 
 # Edits.
 refusal-no-observation = image of an observation: got { $location }, which has none of { $point_name }; allowed: images that show the point
-refusal-replaced-point = point to restore: got { $point_name }, of which { $other } was made and has observations; allowed: undo the step that made { $other }, or reject that first
+refusal-replaced-point = point to restore: got one of which { $point_name } was made and has observations; allowed: undo the step that made { $point_name }, or reject that first
 refusal-rejected-point = measured point: got { $point_name }, which takes no part; allowed: points that take part: restore it first
 refusal-new-point-images = images of a new point: got { $images } of { $observations } observations; allowed: two or more, each once
 refusal-measured-place = measured place: got ({ $x_px }, { $y_px }) in { $location }, outside the image; allowed: places within its { $width_px } x { $height_px } px
@@ -809,8 +809,8 @@ element-weight = weight
 
 point-name-control = { $name }
 point-name-control-index = ground control or check point { $point }
-point-name-manual = manual point { $point }
-point-name-tie-point = tie point { $point }
+point-name-manual = point by hand { $number }
+point-name-tie-point = tie point { $number }
 
 described-none = none
 described-moments = { $descriptors } of moments

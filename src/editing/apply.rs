@@ -31,7 +31,7 @@ pub(crate) fn edited_model(found: &FoundBlock<'_>, edits: &[BlockEdit], options:
     if let Some(index) = surveyed.max().filter(|index| *index >= given) {
         return refuse(Refusal::Index { input: Input::SurveyedPointOfBlock, index, count: given });
     }
-    let mut draft = Draft::new(found);
+    let mut draft = Draft::new(found, options);
     for (number, edit) in (1..).zip(edits) {
         draft.apply(edit).map_err(|error| in_edit(error, number))?;
     }

@@ -4,10 +4,10 @@ use super::edit::{BlockEdit, HandMeasurement, MeasuredBy, PointImage};
 use super::rejected_pairs::{ImagePairs, ascending, sort_pairs, take_out};
 use crate::error::refuse;
 use crate::model::{BlockDescription, ControlRole, ImageObservation};
-use crate::reconstruction::{ObservedPoint, ObservedRay, RayPart, RayWeight};
+use crate::reconstruction::{ObservedPoint, ObservedRay, PointNumbers, RayPart, RayWeight};
 use crate::{
     Camera, Connection, Error, Input, KnownImage, Location, ObservationSource, PairOutcome, PointName, PointSource, ReconstructedModel,
-    Refusal,
+    ReconstructionOptions, Refusal,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -29,6 +29,7 @@ pub(crate) struct FoundBlock<'a> {
 /// The observations of a model while edits are applied.
 pub(super) struct Draft<'a> {
     model: &'a ReconstructedModel,
+    numbers: PointNumbers,
     description: BlockDescription,
     /// Pairs that matches connect.
     connected: ImagePairs,
@@ -45,7 +46,7 @@ pub(super) struct Draft<'a> {
 }
 
 impl<'a> Draft<'a> {
-    pub fn new(found: &FoundBlock<'a>) -> Self {
+    pub fn new(found: &FoundBlock<'a>, options: &ReconstructionOptions) -> Self {
         let FoundBlock { model, as_found, description, connections, .. } = *found;
         let matched = connections.iter().filter(|pair| matches!(pair.outcome, PairOutcome::Connected { .. }));
         let connected = matched.map(|pair| ascending(pair.images.map(|image| image as usize))).collect();
@@ -53,6 +54,7 @@ impl<'a> Draft<'a> {
         let place_of = points.iter().enumerate().map(|(place, point)| (point.source, place)).collect();
         Self {
             model,
+            numbers: PointNumbers::new(&model.points, options.found_points),
             description: description.clone(),
             connected,
             points,
@@ -115,7 +117,7 @@ impl<'a> Draft<'a> {
         if self.rejected_points.contains(&point)
             && let Some(other) = self.points.iter().find(takes_its_place)
         {
-            return refuse(Refusal::ReplacedPoint { point_name: self.label(point), other: self.label(other.source) });
+            return refuse(Refusal::ReplacedPoint { point_name: self.label(other.source) });
         }
         self.rejected_points.remove(&point);
         Ok(())
@@ -240,7 +242,7 @@ impl<'a> Draft<'a> {
     }
 
     fn label(&self, point: PointSource) -> PointName {
-        self.description.name_of(point)
+        self.description.name_of(point, self.numbers.of(point))
     }
 
     /// The image measurements of a surveyed point that was given with them and is not in the model.

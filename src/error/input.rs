@@ -130,15 +130,15 @@ messages! {
 }
 
 messages! {
-    /// A point of a block, as texts name it; indices count from 0.
+    /// A point of a block, as texts name it: by the number that it has in files and views; indices count from 0.
     #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
     #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
     #[non_exhaustive]
     pub enum PointName as "point_name" {
         Control { name: String },
         ControlIndex { point: usize },
-        Manual { point: u32 },
-        TiePoint { point: u32 },
+        Manual { number: u32 },
+        TiePoint { number: u32 },
     }
 }
 

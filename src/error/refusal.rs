@@ -128,8 +128,8 @@ messages! {
         // Edits.
         NoObservation { location: Location, point_name: PointName },
         RejectedPoint { point_name: PointName },
-        /// A point that another one was made of.
-        ReplacedPoint { point_name: PointName, other: PointName },
+        /// A point that this one was made of.
+        ReplacedPoint { point_name: PointName },
         NewPointImages { images: usize, observations: usize },
         MeasuredPlace { #[serde(with = "number")] x_px: f64, #[serde(with = "number")] y_px: f64, location: Location, width_px: u32, height_px: u32 },
         UnknownPoint { point_name: PointName },

@@ -69,7 +69,8 @@ impl BlockRun {
             Some(OnOrthophoto::ByHand { .. } | OnOrthophoto::NotLinked { .. }) | None => None,
         };
         let tested_control = linked.map(|_| own_control(&as_found));
-        let options = ReconstructionOptions { tested_control, ..reconstruction_options(&input.settings) };
+        let options =
+            ReconstructionOptions { tested_control, found_points: found.found_points(), ..reconstruction_options(&input.settings) };
         let alone = known_images(&input, &found.images, |_| true);
         let in_crs = input.settings.placing.crs.is_some();
         let block = FoundBlock {

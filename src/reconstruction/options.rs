@@ -44,6 +44,9 @@ options! {
         /// Control points, the first so many of the description, that are rejected and named where they contradict the other observations; absent: all.
         tested_control: Option<usize> = None;
 
+        /// How many tie points there were to choose from, as far as that is known: above these count the numbers by which texts name other points.
+        found_points: usize = 0;
+
         /// The points that are given of the adjusted block; absent: all are adjusted and given.
         selection: Option<SelectOptions> = None;
         /// By default as [`AdjustmentOptions`] is, but that camera parameters are fixed beyond 20 px.

@@ -5,6 +5,7 @@ use super::finish::{LEAST_RAYS, WITHOUT};
 use super::frame::Frame;
 use super::material::Known;
 use super::net::Net;
+use super::numbers::PointNumbers;
 use super::options::ReconstructionOptions;
 use super::rays::Rays;
 use super::result::{ObservationSource, PointSource, ReconstructedModel, RejectedObservation, UnorientedImage};
@@ -126,7 +127,7 @@ pub(crate) fn readjust(
     let Changed { mut images, points, description } = changed;
     let frame = Frame::with_images(found, &description.images)?;
     let known = Known { description, options, frame: &frame };
-    let base = Base::new(model, description);
+    let base = Base::new(model, description, options);
     let places = points.iter().map(|point| base.place(&known, point)).collect::<Result<Vec<Option<[f64; 3]>>, Error>>()?;
     let mut lost = Vec::new();
     let mut lose = |images: &mut Vec<usize>, place: usize, reason: UnorientedReason| {
@@ -206,6 +207,7 @@ fn weak(images: &[usize], points: &[ObservedPoint]) -> Option<(usize, usize)> {
 
 /// The adjusted cameras and images by their indices in the block.
 struct Base {
+    numbers: PointNumbers,
     cameras: Vec<Camera>,
     camera_of: Vec<usize>,
     poses: Vec<Option<Pose>>,
@@ -213,14 +215,14 @@ struct Base {
 }
 
 impl Base {
-    fn new(model: &ReconstructedModel, description: &BlockDescription) -> Self {
+    fn new(model: &ReconstructedModel, description: &BlockDescription, options: &ReconstructionOptions) -> Self {
         let block = &model.adjusted.block;
         let mut cameras = description.to_model().cameras;
         model.cameras.iter().zip(&block.cameras).for_each(|(camera, adjusted)| cameras[*camera] = *adjusted);
         let mut poses = vec![None; description.images.len()];
         model.images.iter().zip(&block.images).for_each(|(image, adjusted)| poses[*image] = Some(adjusted.pose));
         let camera_of = description.images.iter().map(|image| image.camera).collect();
-        Self { cameras, camera_of, poses, in_system: model.in_system }
+        Self { numbers: PointNumbers::new(&model.points, options.found_points), cameras, camera_of, poses, in_system: model.in_system }
     }
 
     /// Where a point is: known, surveyed, or where its rays meet; `None` with fewer than two.
@@ -240,7 +242,7 @@ impl Base {
         let meeting = self.meeting(point, known.options);
         if meeting.is_none() {
             let (least_angle_deg, largest_px) = (known.options.least_angle_deg, known.options.largest_residual_px);
-            let point_name = known.description.name_of(point.source);
+            let point_name = known.description.name_of(point.source, self.numbers.of(point.source));
             return refuse(Refusal::NoIntersection { rays, point_name, largest_px, least_angle_deg });
         }
         Ok(meeting)
@@ -300,7 +302,7 @@ pub(crate) fn brought(
     options: &ReconstructionOptions,
 ) -> Result<(ReconstructedModel, Vec<UnorientedImage>), Error> {
     let Changed { images, points, description } = changed;
-    let base = Base::new(model, description);
+    let base = Base::new(model, description, options);
     let placed = |point: &ObservedPoint| match point.source {
         PointSource::GroundControl(_) if point.place.is_none() => {
             base.meeting(point, options).map(|place| ObservedPoint { place: Some(place), ..point.clone() })
@@ -313,14 +315,14 @@ pub(crate) fn brought(
 
 impl BlockDescription {
     /// A point as texts name it.
-    pub(crate) fn name_of(&self, point: PointSource) -> PointName {
+    pub(crate) fn name_of(&self, point: PointSource, number: u32) -> PointName {
         match point {
-            PointSource::TiePoint(point) => PointName::TiePoint { point },
+            PointSource::TiePoint(_) => PointName::TiePoint { number },
             PointSource::GroundControl(point) => match self.control.get(point) {
                 Some(known) => PointName::Control { name: known.name.clone() },
                 None => PointName::ControlIndex { point },
             },
-            PointSource::Manual(point) => PointName::Manual { point },
+            PointSource::Manual(_) => PointName::Manual { number },
         }
     }
 }

@@ -266,8 +266,13 @@ fn of_observations(model: &ReconstructedModel) -> Vec<BlockWarning> {
     // What the user rejected says nothing of the others.
     let misfits = || model.rejected.iter().filter(|ray| !ray.by_hand);
     let before = misfits().filter(|ray| is_gross(ray.residual_px)).count();
-    let rejected = before + model.adjusted.rays.iter().filter(|ray| is_gross_error(ray)).count();
-    let observations = model.adjusted.rays.len() + misfits().count();
+    // Nor does a ray that is alone at its point, as it leaves many where an image is rejected.
+    let rays = &model.adjusted.block.rays;
+    let mut of_point = vec![0_usize; model.adjusted.block.points.len()];
+    rays.iter().for_each(|ray| of_point[ray.point] += 1);
+    let judged = || rays.iter().zip(&model.adjusted.rays).filter(|(ray, _)| of_point[ray.point] > 1);
+    let rejected = before + judged().filter(|(_, statistics)| is_gross_error(statistics)).count();
+    let observations = judged().count() + misfits().count();
     let weak = (two as f64 > MANY_TWO_RAYS * points as f64).then_some(BlockWarning::TwoRays { two, points });
     let wrong = (rejected as f64 > MANY_GROSS * observations as f64).then_some(BlockWarning::ManyRejected { rejected, observations });
     weak.into_iter().chain(wrong).collect()

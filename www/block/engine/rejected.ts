@@ -1,6 +1,6 @@
 /**
- * Points that were rejected by hand, or that what was measured by hand leaves without rays that meet, beside those of the block that is held: they stay in
- * sight, so that they can be restored, or moved back, where they were.
+ * Points that were rejected by hand, or that edits leave without two rays that meet, beside those of the block that is held: they stay in sight, so that they
+ * can be restored, or moved back, where they were.
  */
 import type { BlockEdit, FinishedBlock, ObservationDetail, PointColumns, PointDetail, PointSource } from '../../../pkg/wasm/tiepoint.js';
 import { codeOfSource, standingOf } from '../state/edits';
@@ -15,6 +15,7 @@ const BY_HAND = 2;
 
 /** A block as it was found, of which edits leave something out. */
 export class Found {
+  readonly sources: readonly PointSource[];
   private readonly places: ReadonlyMap<number, number>;
   private readonly columns: PointColumns;
   private readonly surveyed: ReadonlyMap<number, ViewSurveyed>;
@@ -25,7 +26,8 @@ export class Found {
     surveyed: readonly ViewSurveyed[],
     readonly givenControl: number,
   ) {
-    this.places = new Map(block.point_ids().map((id, point) => [codeOfSource(id), point]));
+    this.sources = block.point_ids();
+    this.places = new Map(this.sources.map((id, point) => [codeOfSource(id), point]));
     this.columns = block.overview().points;
     this.surveyed = new Map(surveyed.map((known) => [known.control, known]));
   }
@@ -70,7 +72,7 @@ export class Rejected {
     const named = [...points.values(), ...[...unused].map((control) => ({ ground_control: control })), ...[...observations.values()].map(({ point }) => point)];
     const rejected = new Set(named.map(codeOfSource));
     const has = new Set(sources);
-    const codes = new Map([...named, ...measuredPoints(edits)].map((source) => [codeOfSource(source), source]));
+    const codes = new Map([...named, ...tiePoints(found, edits)].map((source) => [codeOfSource(source), source]));
     this.gone = [...codes].filter(([code]) => !has.has(code)).map(([code, source]) => ({ source, isLost: !rejected.has(code), index: found.indexOf(code) }));
     this.byIndex = new Map(this.gone.flatMap(({ index }, place) => (index < 0 ? [] : [[index, place] as const])));
   }
@@ -149,10 +151,11 @@ export class Rejected {
     const gone = this.gone[point - this.taking];
     if (gone === undefined) return null;
     const { source, isLost, index } = gone;
-    const part = isLost ? 'lost_point' : 'rejected_by_hand';
+    // What the adjustment had rejected before stays so.
+    const partOf = (part: ObservationDetail['part']) => (part !== 'accepted' ? part : isLost ? 'lost_point' : 'rejected_by_hand');
     const known = index < 0 ? null : this.found.block.point(index);
     const observations = new Map(known?.observations.map((one) => [one.image, one]));
-    for (const [image, one] of this.byHand(source)) observations.set(image, { ...UNADJUSTED, ...one, by_hand: true });
+    for (const [image, one] of this.byHand(source)) observations.set(image, { ...UNADJUSTED, ...one, part: 'accepted', by_hand: true });
     return {
       id: source,
       name: known?.name ?? this.added(source)?.edit.name ?? null,
@@ -161,7 +164,14 @@ export class Rejected {
       errors: null,
       rmse_px: null,
       confidence: known?.confidence ?? 1,
-      observations: [...observations.values()].map(({ image, x_px, y_px, by_hand }) => ({ ...UNADJUSTED, part, image, x_px, y_px, by_hand })),
+      observations: [...observations.values()].map(({ part, image, x_px, y_px, by_hand }) => ({
+        ...UNADJUSTED,
+        part: partOf(part),
+        image,
+        x_px,
+        y_px,
+        by_hand,
+      })),
       elsewhere: [],
     };
   }
@@ -202,10 +212,10 @@ export class Rejected {
 
 type Place = Pick<ObservationDetail, 'image' | 'x_px' | 'y_px'>;
 
-/** The points that were measured by hand, without surveyed ones: what is not adjusted of these stands among those that were given. */
-function measuredPoints(edits: readonly BlockEdit[]): PointSource[] {
+/** The points that were found and added, without surveyed ones: what is not adjusted of these stands among those that were given. */
+function tiePoints(found: Found, edits: readonly BlockEdit[]): PointSource[] {
   const added = edits.filter((edit) => edit.kind === 'add_point').map((_, manual) => ({ manual }));
-  return [...added, ...edits.flatMap((edit) => (edit.kind === 'measure' && !('ground_control' in edit.point) ? [edit.point] : []))];
+  return [...found.sources.filter((source) => !('ground_control' in source)), ...added];
 }
 
 const UNADJUSTED: Omit<ObservationDetail, 'image' | 'x_px' | 'y_px'> = {

@@ -17,6 +17,7 @@ import type { BlockEdit, PointDetail } from '../../../pkg/wasm/tiepoint.js';
 import type { Names } from '../state/naming';
 import { apart, joined, split } from '../state/joining';
 import { shownImages } from '../state/panes';
+import { isMeasurable } from '../state/point-kinds';
 import { pointsOf } from '../state/selection';
 import { removable } from '../state/removing';
 import { timelineOf } from '../state/timeline';
@@ -154,8 +155,8 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     // A point that no image shows yet is measured in the images, whatever view it was chosen in.
     const given = chosen?.kind === 'given';
     measure.hidden = drafting || !(inImages || given);
-    const { taking = 0 } = state.shown?.view.points ?? {};
-    measure.disabled = chosen?.kind !== 'given' && ((chosen?.kind !== 'point' && chosen?.kind !== 'observation') || chosen.point >= taking);
+    const isPoint = chosen?.kind === 'point' || chosen?.kind === 'observation';
+    measure.disabled = !given && !(isPoint && state.shown !== null && isMeasurable(state.shown.view, chosen.point));
     add.hidden = drafting || !inImages;
     joining.hidden = drafting || toJoin(state, facts) === null;
     parting.hidden = drafting || !inImages || splitOf(state, facts) === null;

@@ -144,8 +144,10 @@ function frameOf(image: number, view: ImagesView, store: BlockStore, addImages: 
   };
 }
 
+type Part = PointDetail['observations'][number]['part'];
+
 /** Why an observation takes no part in the adjustment. */
-const PARTS: Readonly<Record<PointDetail['observations'][number]['part'], string>> = {
+const PARTS: Readonly<Record<Part, string>> = {
   accepted: '',
   gross_error: say('rejected-gross-error'),
   behind: say('rejected-behind-the-image'),
@@ -187,8 +189,9 @@ function pointText({ state }: BlockStore, view: ImagesView): string {
   const { id, name, position, errors, rmse_px, observations, elsewhere } = chosen.detail;
   const panes = shownImages(state.panes, shown);
   const seen = observations.filter(({ image }) => panes.includes(image)).length;
-  // As its table counts them: of a point that takes part, those that do.
-  const taking = observations.filter(({ part }) => PARTS[part] === '').length || observations.length;
+  // As its table counts them: of a point that takes part, those that do; of another one, those that would.
+  const of = (...parts: readonly Part[]) => observations.filter(({ part }) => parts.includes(part)).length;
+  const taking = of('accepted') || of('lost_point', 'rejected_by_hand') || observations.length;
   const rejected = observations.length - taking;
   const [worst] = observations.map(({ image, w }) => ({ image, w: largest(w) ?? 0 })).sort((a, b) => b.w - a.w);
   const parts = [

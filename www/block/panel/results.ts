@@ -8,9 +8,11 @@ import { asFigure } from '../../shared/text/direction';
 import { count, fixed } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
 import type { BlockStore } from '../engine/engine';
+import type { MarkStep } from '../state/marks';
 import { placedFiles } from '../state/placed';
 import { countedPoints } from '../state/point-kinds';
 import { isStale } from '../state/purpose';
+import { removableFiles } from '../state/removing';
 import { isBusy } from '../state/state';
 import type { BlockState, Shown } from '../state/state';
 import type { BlockScore, CheckSummary, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
@@ -30,19 +32,25 @@ export function mountResults(host: HTMLElement, store: BlockStore, takeOff: () =
   const body = h('div', { testid: 'block-results' });
   host.append(body);
   const off = button(say('without-the-orthophoto'), 'block-off-ground', takeOff, say('the-block-as-it-was'));
+  const out = button(say('take-these-out'), 'block-remove-left-out', () => {
+    const step = outOf(store.state);
+    if (step !== null) store.dispatch({ type: 'mark', step });
+  });
   store.watch(['shown', 'files', 'options', 'placing', 'skipped'], ([shown, , , , skipped]) => {
+    out.hidden = outOf(store.state) === null;
     body.classList.toggle('is-stale', isStale(store.state));
     const placed = placedOf(store.state);
     const none = placed === null ? h('p', { class: 'note' }, say('no-block-yet-drop-images')) : null;
     fill(
       body,
-      ...(shown === null ? [none] : sectionsOf(shown, off, (text) => readable(store.state.catalogue?.labels ?? null, text))),
+      ...(shown === null ? [none] : sectionsOf(shown, off, out, (text) => readable(store.state.catalogue?.labels ?? null, text))),
       placed,
       shown === null ? null : strays(say('other-files-skipped'), 'block-other-files', skipped, say('no-images-by-their-names')),
     );
   });
   store.watch(['running', 'notice', 'placing'], () => {
     off.disabled = isBusy(store.state);
+    out.disabled = isBusy(store.state);
   });
 }
 
@@ -59,12 +67,12 @@ export function showReasons(host: HTMLElement): void {
 }
 
 /** `written`: a message of the crate as the page writes it. */
-function sectionsOf(shown: Shown, off: HTMLElement, written: (text: string) => string): (HTMLElement | null)[] {
+function sectionsOf(shown: Shown, off: HTMLElement, out: HTMLElement, written: (text: string) => string): (HTMLElement | null)[] {
   const { view } = shown;
   if (view.partial)
-    return [leftOut(view), section(say('so-far'), 'block-facts', facts(partialFacts(view))), section(say('cameras'), 'block-cameras', cameraTable(view))];
+    return [leftOut(view, out), section(say('so-far'), 'block-facts', facts(partialFacts(view))), section(say('cameras'), 'block-cameras', cameraTable(view))];
   return [
-    leftOut(view),
+    leftOut(view, out),
     strays(say('masks-without-an-image'), 'block-stray-masks', view.strayMasks, say('no-image-has-their-name')),
     strays(say('image-measurements-without-an-image'), 'block-stray-marks', view.strayMarks, say('not-among-the-images-read')),
     listOf(say('remarks'), 'block-remarks', view.remarks.map(written)),
@@ -269,9 +277,16 @@ function groupText({ groups, images }: BlockView): string {
   return say('the-largest-of', { sizes: sizes.length - alone, largest, what: alone > 0 ? say('single', { alone }) : '' });
 }
 
-function leftOut(view: BlockView): HTMLElement | null {
+function leftOut(view: BlockView, out: HTMLElement): HTMLElement | null {
   if (view.leftOut.length === 0) return null;
-  return section(say('skipped-that-cannot-be-read', { left_out: view.leftOut.length }), 'block-left-out', reasons(view.leftOut));
+  return section(say('skipped-that-cannot-be-read', { left_out: view.leftOut.length }), 'block-left-out', reasons(view.leftOut), out);
+}
+
+/** Takes the files out that cannot be used; null where they are not there, or too few would be left. */
+function outOf({ shown, files, history }: BlockState): MarkStep | null {
+  const names = new Set(shown?.view.leftOut.map(({ name }) => name));
+  const out = removableFiles(files, names);
+  return out.length === 0 ? null : { kind: 'remove_images', files: out.map(({ id }) => id), after: history.done };
 }
 
 function notOriented(view: BlockView): HTMLElement | null {

@@ -307,6 +307,8 @@ function countsOf({ view, seconds }: Shown): string {
     images: view.images.length,
     verdict: '',
     skipped: view.leftOut.length,
+    name: view.leftOut[0]?.name ?? '',
+    reason: view.leftOut[0]?.reason ?? '',
     pairs: connectedPairs(view),
     points: counted.tie.points,
     surveyed: counted.surveyed.points,

@@ -145,7 +145,7 @@ function pointRows(view: BlockView): Rows {
 
 function partOfPoint({ taking, lost }: BlockView['points'], point: number): string {
   if (point < taking) return say('accepted');
-  return lost.has(point) ? say('rejected-2') : say('rejected-by-hand-2');
+  return say(lost.has(point) ? 'too-few-rays' : 'rejected-by-hand-2');
 }
 
 const KINDS = { tie: say('tie-point-2'), control: say('control-point'), check: say('check-point') } as const;

@@ -55,7 +55,10 @@ function rank(point: PointDetail): number {
   return isSurveyed(point) ? Infinity : placesOf(point).length;
 }
 
-/** The step that makes two of a point: one of its observations in some images, one of the others; null where either would have fewer than two. */
+/**
+ * The step that makes two of a point: one of its observations in some images, which is added last and so is the one that is chosen then, and one of the others;
+ * null where either would have fewer than two.
+ */
 export function split(point: PointDetail, images: readonly number[]): BlockEdit[] | null {
   if (point.id === null || isSurveyed(point)) return null;
   const places = placesOf(point);
@@ -63,7 +66,7 @@ export function split(point: PointDetail, images: readonly number[]): BlockEdit[
   if (within === undefined || beside === undefined || within.length < 2 || beside.length < 2) return null;
   return [
     { kind: 'reject_points', points: [point.id] },
-    { kind: 'add_point', observations: within },
     { kind: 'add_point', observations: beside },
+    { kind: 'add_point', observations: within },
   ];
 }

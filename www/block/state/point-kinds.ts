@@ -22,6 +22,11 @@ export function surveyedAt({ surveyed }: Pick<BlockView, 'surveyed'>, point: num
   return surveyedOf(surveyed).get(point);
 }
 
+/** Whether a point may be measured anew: what was rejected is restored first, what is lost may be moved back. */
+export function isMeasurable({ points: { taking, lost } }: Pick<BlockView, 'points'>, point: number): boolean {
+  return point < taking || lost.has(point);
+}
+
 /** The name of a ground control or check point, the number of a tie point. */
 export function pointText(view: WithPoints, point: number): string {
   return surveyedAt(view, point)?.name ?? count(view.points.numbers[point] ?? null);

@@ -43,7 +43,11 @@ export function withRemoved<S extends WithRemoved>(state: S): S {
 /** The files of the images that are chosen, which can be taken out; none where a file is not there, or too few would be left. */
 export function removable(files: readonly BlockFile[], choice: Choice | null, names: readonly { name: string }[]): readonly BlockFile[] {
   if (choice?.kind !== 'image' && choice?.kind !== 'images') return [];
-  const chosen = new Set(imagesOf(choice).map((image) => names[image]?.name));
-  const found = files.filter(({ name }) => chosen.has(name));
-  return found.length === chosen.size && files.length - found.length >= LEAST_IMAGES ? found : [];
+  return removableFiles(files, new Set(imagesOf(choice).map((image) => names[image]?.name ?? '')));
+}
+
+/** The files of these names, which can be taken out; none where one is not there, or too few would be left. */
+export function removableFiles(files: readonly BlockFile[], names: ReadonlySet<string>): readonly BlockFile[] {
+  const found = files.filter(({ name }) => names.has(name));
+  return found.length === names.size && files.length - found.length >= LEAST_IMAGES ? found : [];
 }

@@ -82,7 +82,7 @@ export interface ViewPoints {
   count: number;
   /** The first of them, so many, take part; the others were rejected by hand, or lost. */
   taking: number;
-  /** Those that no edit rejects: what was measured by hand leaves them without rays that meet. */
+  /** Those that no edit rejects: edits leave them without two rays that meet. */
   lost: ReadonlySet<number>;
   /** What each is, as a code (see `edits.ts`); empty where the block is not oriented. */
   sources: Float64Array;

@@ -140,7 +140,7 @@ function describePoint(view: BlockView, point: number): string {
     known(points.rmsePx[point]) ? say('rmse-px-3', { rmse_px: points.rmsePx[point] ?? NaN }) : '',
     known(points.positions[3 * point]) ? coordinatesText(view, [x, y, z], 2) : say('not-intersected'),
     errors.every(known) ? inUnitOf(view, `± ${errors.map((error) => fixed(error, 3)).join(' ')}`) : '',
-    point < points.taking ? '' : say(points.lost.has(point) ? 'rejected-2' : 'rejected-by-hand-2'),
+    point < points.taking ? '' : say(points.lost.has(point) ? 'too-few-rays' : 'rejected-by-hand-2'),
   ];
   return `${parts.filter((part) => part !== '').join('; ')}.`;
 }

@@ -10,6 +10,7 @@ import type { Draft } from '../../state/edited';
 import { editsInForce, isEditable } from '../../state/editing';
 import { indexOfSource, sourceOf } from '../../state/edits';
 import { placesOfGiven } from '../../state/marks';
+import { isMeasurable } from '../../state/point-kinds';
 import { inOtherImage, placeOfGround } from '../../state/observed';
 import { addedPoints } from '../../state/added';
 import { pointsOf } from '../../state/selection';
@@ -54,9 +55,7 @@ export class Measuring {
       return;
     }
     const [point, ...more] = pointsOf(chosen);
-    // What was rejected is restored first; what is lost may be moved back.
-    const { taking, lost } = state.shown.view.points;
-    if (!anew && point !== undefined && point >= taking && !lost.has(point)) return;
+    if (!anew && point !== undefined && !isMeasurable(state.shown.view, point)) return;
     const of = anew || point === undefined || more.length > 0 ? null : sourceOf(state.shown.view, point);
     if (of === null && !anew) return;
     if (of === null) this.store.dispatch({ type: 'choose', choice: null });

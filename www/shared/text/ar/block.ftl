@@ -624,6 +624,7 @@ the-largest-of = { COUNT($sizes) } (الكبرى من { COUNT($largest) }){ $wha
 other-files-skipped = ملفات أخرى متخطاة
 no-images-by-their-names = ليست صورًا بحسب أسمائها
 skipped-that-cannot-be-read = متخطاة: { COUNT($left_out) } لا يمكن استخدامها
+take-these-out = أخرج هذه
 not-oriented = غير موجَّهة: { COUNT($lost) }
 and-more-in-the-table = و{ COUNT($rest) } أخرى في جدول الصور
 rays-2 = الأشعة
@@ -706,6 +707,7 @@ the-block-as-it-was = يعيد الكتلة كما كانت قبل وضعها ع
 oriented = موجَّهة
 accepted = مقبولة
 rejected-2 = مرفوضة
+too-few-rays = مرفوضة: أشعة متلاقية أقل من اللازم
 role = { $role ->
         [control] ضبط
        *[check] تحقق
@@ -1041,7 +1043,8 @@ block-done =
        *[other] { COUNT($images) } صورة
     }{ $skipped ->
         [0] {""}
-       *[other] ، المتخطى { COUNT($skipped) }
+        [1] ، تُخطّي { $name } ({ $reason })
+       *[other] ، المتخطى { COUNT($skipped) }، أولها { $name } ({ $reason })
     }، { $pairs ->
         [zero] لا أزواج متصلة
         [one] زوج متصل واحد

@@ -713,6 +713,7 @@ the-largest-of = { COUNT($sizes) } (the largest of { COUNT($largest) }){ $what }
 other-files-skipped = Other files, skipped
 no-images-by-their-names = no images by their names
 skipped-that-cannot-be-read = Skipped: { COUNT($left_out) } that cannot be used
+take-these-out = Take these out
 not-oriented = Not oriented: { COUNT($lost) }
 and-more-in-the-table = and { COUNT($rest) } more in the table of images
 rays-2 = Rays
@@ -791,6 +792,7 @@ places-found-hold-it-too = Places that are found on the orthophoto can hold it, 
 oriented = oriented
 accepted = accepted
 rejected-2 = rejected
+too-few-rays = rejected: too few rays that meet
 role = { $role ->
         [control] control
        *[check] check
@@ -1151,7 +1153,8 @@ block-done =
        *[other] { COUNT($images) } images
     }{ $skipped ->
         [0] {""}
-       *[other] , { COUNT($skipped) } skipped
+        [1] , { $name } skipped ({ $reason })
+       *[other] , { COUNT($skipped) } skipped, the first of them { $name } ({ $reason })
     }, { $pairs ->
         [one] 1 pair
        *[other] { COUNT($pairs) } pairs
