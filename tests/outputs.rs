@@ -426,7 +426,7 @@ fn a_point_that_is_measured_in_three_images_lies_where_its_rays_meet() {
     apart[0].y_px += 80.0;
     apart.truncate(2);
     let refused = run.with_edits(&[BlockEdit::AddPoint { observations: apart }]).unwrap_err().to_string();
-    assert!(refused.contains("manual point 0"), "{refused}");
+    assert!(refused.contains("point by hand "), "{refused}");
 }
 
 #[test]

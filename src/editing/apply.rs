@@ -251,7 +251,8 @@ mod tests {
         let rejected = [add, BlockEdit::RejectPoints { points: vec![point] }, measure];
         let refused = tried(&known, &[], &rejected).unwrap_err().to_string();
         assert!(
-            refused.contains("manual point 0, which takes no part; allowed: points that take part: restore it first (edit 3)"),
+            refused.contains("point by hand 2")
+                && refused.contains("001, which takes no part; allowed: points that take part: restore it first (edit 3)"),
             "{refused}"
         );
     }

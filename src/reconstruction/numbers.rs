@@ -20,12 +20,14 @@ impl PointNumbers {
         Self { above: (3..9).map(|digits| 10_u32.pow(digits)).find(|above| *above as usize > most).unwrap_or(1_000_000_000) }
     }
 
+    /// Of a point that no block has, as a refusal may name it, the largest number.
     pub fn of(&self, point: PointSource) -> u32 {
-        match point {
-            PointSource::TiePoint(index) => index + 1,
-            PointSource::GroundControl(index) => self.above + index as u32 + 1,
-            PointSource::Manual(index) => 2 * self.above + index + 1,
-        }
+        let (before, index) = match point {
+            PointSource::TiePoint(index) => (0, index),
+            PointSource::GroundControl(index) => (self.above, u32::try_from(index).unwrap_or(u32::MAX)),
+            PointSource::Manual(index) => (2 * self.above, index),
+        };
+        index.saturating_add(before).saturating_add(1)
     }
 }
 
@@ -41,5 +43,6 @@ mod tests {
         assert_eq!(of(1000), [42, 8, 10_003, 20_001]);
         // The file of a block of former versions does not say how many there were.
         assert_eq!(of(0), [42, 8, 1003, 2001]);
+        assert_eq!(PointNumbers::new(&points, 0).of(PointSource::TiePoint(u32::MAX)), u32::MAX);
     }
 }
