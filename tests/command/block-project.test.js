@@ -153,7 +153,8 @@ test('edits that cannot be are refused by name', () => {
     assert.ok(code !== 0 && stderr.includes('edits.json'), stderr);
     return stderr;
   };
-  assert.match(refused('[{"kind": "reject_points", "points": [{"tie_point": 4000000}]}]'), /tie point 4000000/);
+  // Texts name it by its number, which counts from 1.
+  assert.match(refused('[{"kind": "reject_points", "points": [{"tie_point": 4000000}]}]'), /tie point 4000001/);
   assert.match(refused('[{"kind": "reject_images", "images": [9]}]'), /index 9/);
   assert.match(refused('[{"kind": "reject_pairs", "pairs": [[3, 3]]}]'), /pair of images: got \[3, 3\]/);
   assert.match(refused('[{"kind": "paint"}]'), /paint/);
