@@ -3795,6 +3795,7 @@
 		edits;
 		taking;
 		gone;
+		byHand;
 		byIndex;
 		constructor(found, edits, taking, sources) {
 			this.found = found;
@@ -3814,6 +3815,7 @@
 				isLost: !rejected.has(code),
 				index: found.indexOf(code)
 			}));
+			this.byHand = measuredByHand(edits);
 			this.byIndex = new Map(this.gone.flatMap(({ index }, place) => index < 0 ? [] : [[index, place]]));
 		}
 		inView(view) {
@@ -3835,8 +3837,8 @@
 			gone.forEach(({ source, index }, place) => {
 				const at = taking + place;
 				all.sources[at] = codeOfSource(source);
-				all.numbers[at] = found.block.point_number(source) ?? 0;
-				all.rays[at] = index < 0 ? this.byHand(source).size : found.column("rays", index);
+				all.numbers[at] = index < 0 ? found.block.point_number(source) ?? 0 : found.column("numbers", index);
+				all.rays[at] = index < 0 ? this.handsOf(source).size : found.column("rays", index);
 				all.rmsePx[at] = NaN;
 				all.confidence[at] = index < 0 ? 1 : found.column("confidence", index);
 				for (const axis of [
@@ -3864,7 +3866,7 @@
 				if (place !== void 0) found.set(place, [before.places[2 * row] ?? NaN, before.places[2 * row + 1] ?? NaN]);
 			});
 			gone.forEach(({ source }, place) => {
-				const own = this.byHand(source).get(image);
+				const own = this.handsOf(source).get(image);
 				if (own !== void 0) found.set(place, [own.x_px, own.y_px]);
 			});
 			const points = [...found.keys()];
@@ -3893,7 +3895,7 @@
 			const partOf = (part) => part !== "accepted" ? part : isLost ? "lost_point" : "rejected_by_hand";
 			const known = index < 0 ? null : this.found.block.point(index);
 			const observations = new Map(known?.observations.map((one) => [one.image, one]));
-			for (const [image, one] of this.byHand(source)) observations.set(image, {
+			for (const [image, one] of this.handsOf(source)) observations.set(image, {
 				...UNADJUSTED,
 				...one,
 				part: "accepted",
@@ -3973,17 +3975,23 @@
 				byHand: true
 			};
 		}
-		byHand(source) {
-			const added = "manual" in source ? this.edits.filter((edit) => edit.kind === "add_point")[source.manual]?.observations : [];
-			const code = codeOfSource(source);
-			const measured = this.edits.filter((edit) => edit.kind === "measure").filter(({ point }) => codeOfSource(point) === code);
-			return new Map([...added ?? [], ...measured].map(({ image, x_px, y_px }) => [image, {
-				image,
-				x_px,
-				y_px
-			}]));
+		handsOf(source) {
+			return this.byHand.get(codeOfSource(source)) ?? NO_HANDS;
 		}
 	};
+	var NO_HANDS = new Map();
+	function measuredByHand(edits) {
+		const added = edits.filter((edit) => edit.kind === "add_point").flatMap(({ observations }, manual) => observations.map((one) => ({
+			...one,
+			point: { manual }
+		})));
+		const hands = new Map();
+		for (const { point, ...one } of [...added, ...edits.filter((edit) => edit.kind === "measure")]) {
+			const code = codeOfSource(point);
+			hands.set(code, (hands.get(code) ?? new Map()).set(one.image, one));
+		}
+		return hands;
+	}
 	function tiePoints(found, edits) {
 		const added = edits.filter((edit) => edit.kind === "add_point").map((_, manual) => ({ manual }));
 		return [...found.sources.filter((source) => !("ground_control" in source)), ...added];

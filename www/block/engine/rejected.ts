@@ -2,7 +2,7 @@
  * Points that were rejected by hand, or that edits leave without two rays that meet, beside those of the block that is held: they stay in sight, so that they
  * can be restored, or moved back, where they were.
  */
-import type { BlockEdit, FinishedBlock, ObservationDetail, PointColumns, PointDetail, PointSource } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockEdit, FinishedBlock, HandMeasurement, ObservationDetail, PointColumns, PointDetail, PointSource } from '../../../pkg/wasm/tiepoint.js';
 import { codeOfSource, standingOf } from '../state/edits';
 import { addedPoints } from '../state/added';
 import type { AddedPoint } from '../state/added';
@@ -38,7 +38,7 @@ export class Found {
   }
 
   /** What a column has of a point. */
-  column(name: 'positions' | 'rays' | 'confidence', index: number): number {
+  column(name: 'numbers' | 'positions' | 'rays' | 'confidence', index: number): number {
     return this.columns[name][index] ?? NaN;
   }
 
@@ -58,6 +58,8 @@ interface Gone {
 /** What a block does not use after edits by hand, as long as it is held with these edits. */
 export class Rejected {
   private readonly gone: readonly Gone[];
+  /** By the codes of points. */
+  private readonly byHand: ReadonlyMap<number, Hands>;
   /** Places among them by their indices in the block as it was found. */
   private readonly byIndex: ReadonlyMap<number, number>;
 
@@ -74,6 +76,7 @@ export class Rejected {
     const has = new Set(sources);
     const codes = new Map([...named, ...tiePoints(found, edits)].map((source) => [codeOfSource(source), source]));
     this.gone = [...codes].filter(([code]) => !has.has(code)).map(([code, source]) => ({ source, isLost: !rejected.has(code), index: found.indexOf(code) }));
+    this.byHand = measuredByHand(edits);
     this.byIndex = new Map(this.gone.flatMap(({ index }, place) => (index < 0 ? [] : [[index, place] as const])));
   }
 
@@ -97,8 +100,8 @@ export class Rejected {
     gone.forEach(({ source, index }, place) => {
       const at = taking + place;
       all.sources[at] = codeOfSource(source);
-      all.numbers[at] = found.block.point_number(source) ?? 0;
-      all.rays[at] = index < 0 ? this.byHand(source).size : found.column('rays', index);
+      all.numbers[at] = index < 0 ? (found.block.point_number(source) ?? 0) : found.column('numbers', index);
+      all.rays[at] = index < 0 ? this.handsOf(source).size : found.column('rays', index);
       all.rmsePx[at] = NaN;
       all.confidence[at] = index < 0 ? 1 : found.column('confidence', index);
       for (const axis of [0, 1, 2]) {
@@ -120,7 +123,7 @@ export class Rejected {
       if (place !== undefined) found.set(place, [before.places[2 * row] ?? NaN, before.places[2 * row + 1] ?? NaN]);
     });
     gone.forEach(({ source }, place) => {
-      const own = this.byHand(source).get(image);
+      const own = this.handsOf(source).get(image);
       if (own !== undefined) found.set(place, [own.x_px, own.y_px]);
     });
     const points = [...found.keys()];
@@ -155,7 +158,7 @@ export class Rejected {
     const partOf = (part: ObservationDetail['part']) => (part !== 'accepted' ? part : isLost ? 'lost_point' : 'rejected_by_hand');
     const known = index < 0 ? null : this.found.block.point(index);
     const observations = new Map(known?.observations.map((one) => [one.image, one]));
-    for (const [image, one] of this.byHand(source)) observations.set(image, { ...UNADJUSTED, ...one, part: 'accepted', by_hand: true });
+    for (const [image, one] of this.handsOf(source)) observations.set(image, { ...UNADJUSTED, ...one, part: 'accepted', by_hand: true });
     return {
       id: source,
       name: known?.name ?? this.added(source)?.edit.name ?? null,
@@ -202,15 +205,28 @@ export class Rejected {
   }
 
   /** Where a point was measured by hand, by image. */
-  private byHand(source: PointSource): ReadonlyMap<number, Place> {
-    const added = 'manual' in source ? this.edits.filter((edit) => edit.kind === 'add_point')[source.manual]?.observations : [];
-    const code = codeOfSource(source);
-    const measured = this.edits.filter((edit) => edit.kind === 'measure').filter(({ point }) => codeOfSource(point) === code);
-    return new Map([...(added ?? []), ...measured].map(({ image, x_px, y_px }) => [image, { image, x_px, y_px }]));
+  private handsOf(source: PointSource): Hands {
+    return this.byHand.get(codeOfSource(source)) ?? NO_HANDS;
   }
 }
 
-type Place = Pick<ObservationDetail, 'image' | 'x_px' | 'y_px'>;
+/** Where a point was measured by hand, by image. */
+type Hands = ReadonlyMap<number, Pick<ObservationDetail, 'image' | 'x_px' | 'y_px'>>;
+
+const NO_HANDS: Hands = new Map();
+
+/** The same of all points that were, by their codes. */
+function measuredByHand(edits: readonly BlockEdit[]): ReadonlyMap<number, Hands> {
+  const added = edits
+    .filter((edit) => edit.kind === 'add_point')
+    .flatMap(({ observations }, manual) => observations.map((one) => ({ ...one, point: { manual } })));
+  const hands = new Map<number, Map<number, HandMeasurement>>();
+  for (const { point, ...one } of [...added, ...edits.filter((edit) => edit.kind === 'measure')]) {
+    const code = codeOfSource(point);
+    hands.set(code, (hands.get(code) ?? new Map<number, HandMeasurement>()).set(one.image, one));
+  }
+  return hands;
+}
 
 /** The points that were found and added, without surveyed ones: what is not adjusted of these stands among those that were given. */
 function tiePoints(found: Found, edits: readonly BlockEdit[]): PointSource[] {
