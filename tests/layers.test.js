@@ -19,7 +19,7 @@ const PARTS = ['shared', 'pair', 'block'];
 const SEAMS = new Set(['block/pair.ts']);
 
 /** What puts the parts together, and what runs apart from them. */
-const TOP = new Set(['main.ts', 'program.ts', 'block.ts', 'worker.ts', 'service-worker.ts']);
+const TOP = new Set(['turn.ts', 'main.ts', 'program.ts', 'block.ts', 'worker.ts', 'service-worker.ts']);
 
 const files = readdirSync(WWW, { recursive: true, encoding: 'utf8' })
   .map((file) => file.replaceAll('\\', '/'))

@@ -1,4 +1,4 @@
-/** What the page loads first: it settles the language, and has its texts and the program loaded. */
+/** What starts the page: it has the texts of the language and the program loaded. */
 import './shared/style/base.css';
 import './shared/style/layout.css';
 import './shared/style/answer.css';
@@ -10,7 +10,7 @@ import './pair/style/pair.css';
 import { wasmModule } from './shared/engine/platform';
 import { learnPart } from './shared/engine/texts';
 import { mountDrop } from './shared/files/drop';
-import { sayDocument, turnDocument } from './shared/panel/language';
+import { sayDocument, showDocument } from './shared/panel/language';
 import { say } from './shared/text/words';
 
 async function start(): Promise<void> {
@@ -25,7 +25,6 @@ async function start(): Promise<void> {
     given = waiting;
     tell();
   });
-  turnDocument();
   // It takes longest. Where it fails the program asks again, and says why.
   wasmModule().catch(() => undefined);
   await learnPart('program');
@@ -41,4 +40,5 @@ document.getElementById('load-again')?.addEventListener('click', () => location.
 start().catch(() => {
   document.getElementById('status')?.replaceChildren();
   document.getElementById('not-loaded')?.removeAttribute('hidden');
+  showDocument();
 });

@@ -6,7 +6,7 @@ import { createServer } from 'node:http';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { contentOf, FILES } from '../../tools/lib/compose.mjs';
-import { WEB_POLICY } from '../../tools/lib/policy.mjs';
+import { webPolicy } from '../../tools/lib/policy.mjs';
 import { done, hosted, number, open, pair, part, saved, says, SHOTS, SKIP } from './page.js';
 
 hosted('/installed/');
@@ -44,7 +44,9 @@ async function host() {
       return;
     }
     const type = types[name.split('.').at(-1) ?? ''] ?? 'image/png';
-    response.writeHead(200, { 'Content-Type': type, 'Cache-Control': 'no-cache', 'Content-Security-Policy': WEB_POLICY }).end(given(name));
+    response
+      .writeHead(200, { 'Content-Type': type, 'Cache-Control': 'no-cache', 'Content-Security-Policy': webPolicy(String(given('index.html'))) })
+      .end(given(name));
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(undefined)));
   const address = /** @type {import('node:net').AddressInfo} */ (server.address());

@@ -7,7 +7,7 @@ import { deflateRawSync } from 'node:zlib';
 import { iconPng, iconSvg } from './icon.mjs';
 import { DIST, PKG_WASM } from './paths.mjs';
 import { joined } from './join.mjs';
-import { singlePolicy } from './policy.mjs';
+import { hash, singlePolicy } from './policy.mjs';
 
 /** The script that starts the page, and the parts that are loaded when they are needed: the program, what few views need, and the texts of each language. */
 const START = 'page.js';
@@ -64,9 +64,6 @@ const inline = (code) =>
     .replace(/<\/(script)/gi, '<\\/$1')
     .replace(/<!--/g, '\\x3c!--');
 
-/** @param {string | Buffer} content @returns {string} the hash by which a policy names an inline element, and a page a file */
-const hash = (content) => `sha256-${createHash('sha256').update(content).digest('base64')}`;
-
 /** The whole page as one HTML text, which also runs from a double-click.  @returns {string} */
 export function singleFile() {
   const [script, style, worker] = [inline(joined(START, PARTS, text)), text('page.css').trim(), inline(text('worker.js'))];
@@ -76,7 +73,7 @@ export function singleFile() {
     .replace(/\s*<script type="module"[^>]*><\/script>/, '')
     .replace(/\s*<link rel="(?:stylesheet|manifest|modulepreload)"[^>]*>/g, '');
   if (/(?:src|href)="\.\//.test(bare)) throw new Error('the page in one file still names a file beside it');
-  const policy = `<meta http-equiv="Content-Security-Policy" content="${singlePolicy(hash(script), hash(style))}">`;
+  const policy = `<meta http-equiv="Content-Security-Policy" content="${singlePolicy(bare, script, style)}">`;
   return bare
     .replace(/<meta charset="[^"]*"\s*\/?>/i, (charset) => `${charset}\n    ${policy}`)
     .replace(/\s*<\/head>/, () => `\n    <style>${style}</style>\n  </head>`)

@@ -7,7 +7,7 @@ import { extname } from 'node:path';
 import { promisify } from 'node:util';
 import { brotliCompress, constants, gzip } from 'node:zlib';
 import { contentOf, FILES, isAsItLies, pathOf, singleFile } from './compose.mjs';
-import { SERVER_POLICY } from './policy.mjs';
+import { serverPolicy } from './policy.mjs';
 
 /** @type {Record<string, string>} */
 const TYPES = {
@@ -101,7 +101,7 @@ async function answer(prefix, compresses, request, response) {
     return;
   }
   // The page in one file names its own scripts by their hashes; the web's policy would forbid them.
-  if (name !== 'tiepoint.html') response.setHeader('Content-Security-Policy', SERVER_POLICY);
+  if (name !== 'tiepoint.html') response.setHeader('Content-Security-Policy', serverPolicy(await readFile(pathOf('index.html'), 'utf8')));
   const encoding = compresses ? encodingOf(request.headers['accept-encoding']) : null;
   const tag = `"${file.digest}${encoding === null ? '' : `-${encoding}`}"`;
   response.setHeader('ETag', tag);

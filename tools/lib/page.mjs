@@ -9,7 +9,7 @@ import { TEXTS } from './compose.mjs';
 import { iconSvg } from './icon.mjs';
 import { licences } from './licences.mjs';
 import { ROOT } from './paths.mjs';
-import { WEB_POLICY } from './policy.mjs';
+import { webPolicy } from './policy.mjs';
 
 const WWW = join(ROOT, 'www');
 
@@ -22,8 +22,20 @@ const COMMENTS = { legal: true, annotation: false, jsdoc: false };
 /** The policy stands in the page itself, for hosts that send no headers.  @type {import('vite').Plugin} */
 const policy = {
   name: 'tiepoint-policy',
-  transformIndexHtml: () => [{ tag: 'meta', attrs: { 'http-equiv': 'Content-Security-Policy', content: WEB_POLICY }, injectTo: 'head-prepend' }],
+  transformIndexHtml: {
+    order: 'post',
+    handler: (html) => [{ tag: 'meta', attrs: { 'http-equiv': 'Content-Security-Policy', content: webPolicy(html) }, injectTo: 'head-prepend' }],
+  },
 };
+
+/** What runs before anything is drawn stands in the page itself: a file would have the first view wait for it.  @param {string} script @returns {import('vite').Plugin} */
+const first = (script) => ({
+  name: 'tiepoint-first',
+  transformIndexHtml: {
+    order: 'pre',
+    handler: (html) => html.replace('<script type="module" src="./turn.ts"></script>', () => `<script>\n${script}</script>`),
+  },
+});
 
 /** The icon stands in the page itself: so the page in one file has it too.  @type {import('vite').Plugin} */
 const icon = {
@@ -56,9 +68,13 @@ export async function buildPage(out) {
     logLevel: 'warn',
     resolve: { preserveSymlinks: true },
   });
+  const scriptOf = async (/** @type {string} */ name) => {
+    const rollupOptions = { input: join(WWW, `${name}.ts`), output: { comments: COMMENTS, format: /** @type {const} */ ('iife'), codeSplitting: false } };
+    return onlyScript(await build({ ...common, build: { ...READABLE, write: false, rollupOptions } }));
+  };
   await build({
     ...common,
-    plugins: [policy, icon, early, plainImports, licences],
+    plugins: [first(await scriptOf('turn')), policy, icon, early, plainImports, licences],
     build: {
       ...READABLE,
       // Vite takes a relative folder from the sources of the page.
@@ -71,17 +87,7 @@ export async function buildPage(out) {
       },
     },
   });
-  for (const script of ['worker', 'service-worker']) {
-    const built = await build({
-      ...common,
-      build: {
-        ...READABLE,
-        write: false,
-        rollupOptions: { input: join(WWW, `${script}.ts`), output: { comments: COMMENTS, format: 'iife', codeSplitting: false } },
-      },
-    });
-    writeFileSync(join(out, `${script}.js`), onlyScript(built));
-  }
+  for (const script of ['worker', 'service-worker']) writeFileSync(join(out, `${script}.js`), await scriptOf(script));
   const [made, named] = [readdirSync(out).sort().join(', '), [...TEXTS].sort().join(', ')];
   if (made !== named) throw new Error(`Vite made other files than the page has: ${made}; named in compose.mjs: ${named}`);
 }
@@ -91,7 +97,6 @@ function onlyScript(result) {
   const built = Array.isArray(result) ? result[0] : result;
   const files = built && 'output' in built ? built.output : [];
   const [script, ...others] = files;
-  if (script?.type !== 'chunk' || others.length > 0)
-    throw new Error(`a worker must be one script, Vite made ${files.map(({ fileName }) => fileName).join(', ')}`);
+  if (script?.type !== 'chunk' || others.length > 0) throw new Error(`this must be one script, Vite made ${files.map(({ fileName }) => fileName).join(', ')}`);
   return script.code;
 }

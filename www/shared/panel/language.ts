@@ -8,12 +8,6 @@ import { fill, h } from './dom';
 /** Attributes of the document that hold texts, by those that name them. */
 const ATTRIBUTES = ['title', 'aria-label', 'aria-roledescription', 'content'];
 
-/** Turns the document the way of its language, before there are texts in it. */
-export function turnDocument(): void {
-  document.documentElement.lang = LANGUAGE;
-  document.documentElement.dir = LANGUAGES[LANGUAGE].direction;
-}
-
 /** What the document holds before the program is there is English. */
 export function sayDocument(): void {
   // What style sheets write.
@@ -24,6 +18,12 @@ export function sayDocument(): void {
     const name = `data-say-${attribute.replace('aria-', '')}`;
     for (const element of document.querySelectorAll(`[${name}]`)) element.setAttribute(attribute, say(element.getAttribute(name) ?? ''));
   }
+  showDocument();
+}
+
+/** Shows what `turn.ts` keeps out of sight: in the language of the page, or in English where its texts do not come. */
+export function showDocument(): void {
+  delete document.documentElement.dataset.unsaid;
 }
 
 /** A text in which [K] is a key. */
