@@ -76,7 +76,7 @@ function isForPeople(node, text, path) {
   // Elsewhere it is told by its looks: a sentence, or a word with a capital.
   return (
     /[a-z]{2,}[,:;.…]? \(?(?:[A-Za-z]{2,}|\{\})|^[A-Z][a-z]+(?: …)?$|\{\}[,:;]? [a-z]{3,}/u.test(text) &&
-    !/^[.#[]|^\w+(?:-\w+)+ |px [\w-]+, sans-serif$|^\(prefers|gradient\(/u.test(text)
+    !/^[.#[]|^\w+(?:-\w+)+ |px [\w-]+, sans-serif$|^\((?:prefers|forced)-|gradient\(/u.test(text)
   );
 }
 

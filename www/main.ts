@@ -7,6 +7,7 @@ import './shared/style/view.css';
 import './shared/style/direction.css';
 import './block/style/block.css';
 import './pair/style/pair.css';
+import './shared/style/forced.css';
 import { wasmModule } from './shared/engine/platform';
 import { learnPart } from './shared/engine/texts';
 import { mountDrop } from './shared/files/drop';

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { test } from 'node:test';
 import { unzipSync } from 'fflate';
-import { looker } from './axe.js';
+import { forcedLooker, looker } from './axe.js';
 import { block, photoFolder, status } from './blocks.js';
 import { reportTab } from './report.js';
 import { done, hosted, open, pair, part, pngs, saved, says, SKIP, upload } from './page.js';
@@ -16,8 +16,10 @@ test('axe finds nothing in any state of a pair', { skip: SKIP }, async () => {
   /** @type {Map<string, string>} */
   const found = new Map();
   const look = looker(page, found);
+  const lookForced = forcedLooker(page, found);
   await says(page, 'status', /^Ready/);
   await look('welcome');
+  await lookForced('welcome');
   await part(page, 'file-input').setInputFiles([upload('cut.png', pngs()[0]?.buffer.subarray(0, 2000) ?? new Uint8Array(), 'image/png')]);
   await says(page, 'status', /cut\.png/);
   await look('a file that cannot be read', '#answer, #welcome');
@@ -50,6 +52,7 @@ test('axe finds nothing in any state of a pair', { skip: SKIP }, async () => {
   await page.locator('[data-testid="statistics-row"]').nth(2).click();
   await page.keyboard.press('Delete');
   await look('matches, one of them rejected');
+  await lookForced('matches, one of them rejected');
   await part(page, 'statistics-filter-x').fill('>x');
   await part(page, 'statistics-filter').selectOption('used');
   await part(page, 'statistics-columns').click();
@@ -178,6 +181,12 @@ test('axe finds nothing in any state of a block, and in its report', { skip: SKI
     await part(page, `tab-block-${table}`).click();
     await look(`table of ${table}`, `#panel-block-${table}`);
   }
+  await part(page, 'block-show-map').click();
+  await forcedLooker(page, found)('map with a table');
+  // Colours that mean something stay what they are.
+  await page.emulateMedia({ forcedColors: 'active' });
+  assert.match(await page.locator('.map-scale').evaluate((scale) => getComputedStyle(scale).backgroundImage), /gradient/);
+  await page.emulateMedia({ forcedColors: 'none' });
   await part(page, 'block-observations-columns').click();
   await look('columns of a table', '#panel-block-observations');
   assert.deepEqual([...found.values()], []);

@@ -31,15 +31,33 @@ async function axe(page, only, within) {
   );
 }
 
+/** Notes what axe found, with the first state where it did.  @param {Map<string, string>} found */
+const notedIn = (found) => (/** @type {string} */ where, /** @type {[string, string][]} */ findings) => {
+  for (const [what, why] of findings) if (!found.has(what)) found.set(what, `${where}: ${what}: ${why}`);
+};
+
+/**
+ * Looks at the colours of a state of the page where the system gives them, light and dark ones, as `looker` does at the page's own.
+ * @param {Page} page @param {Map<string, string>} found @returns {(where: string) => Promise<void>}
+ */
+export function forcedLooker(page, found) {
+  const note = notedIn(found);
+  return async (where) => {
+    for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+      await page.emulateMedia({ colorScheme, forcedColors: 'active', reducedMotion: 'reduce' });
+      note(`${where}, forced colours, ${colorScheme}`, await axe(page, COLOURS, 'html'));
+    }
+    await page.emulateMedia({ colorScheme: 'light', forcedColors: 'none' });
+  };
+}
+
 /**
  * Looks at a state of the page on both screens and in both themes; collects what axe finds, with the first state where it does.
  * @param {Page} page @param {Map<string, string>} found @returns {(where: string, within?: string) => Promise<void>} within: the parts that the
  * state changed of one that was looked at as a whole; a part that is not there is an error
  */
 export function looker(page, found) {
-  const note = (/** @type {string} */ where, /** @type {[string, string][]} */ findings) => {
-    for (const [what, why] of findings) if (!found.has(what)) found.set(what, `${where}: ${what}: ${why}`);
-  };
+  const note = notedIn(found);
   return async (where, within = 'html') => {
     // A dialog may open a moment after the press.
     await page.locator(within).first().waitFor();

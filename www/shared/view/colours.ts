@@ -14,6 +14,8 @@ export function themeColours(): Colours {
 
 function readColours(): Colours {
   const probe = document.createElement('span');
+  // Where the system gives the colours of texts, what is drawn is still told apart by its own.
+  probe.style.setProperty('forced-color-adjust', 'none');
   document.body.append(probe);
   const colours = Object.fromEntries(
     NAMES.map((name) => {
@@ -33,4 +35,5 @@ export function onRecolour(callback: () => void): void {
   };
   new MutationObserver(changed).observe(document.documentElement, { attributes: true, attributeFilter: ['data-theme'] });
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', changed);
+  matchMedia('(forced-colors: active)').addEventListener('change', changed);
 }
