@@ -252,7 +252,7 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
   const more = h(
     'div',
     { class: 'more image-more', id: 'images-more' },
-    labelled('1:1', 'images-actual', say('one-image-pixel-to-one'), () => view.moving.actualSize()),
+    labelled('1:1', 'images-actual', say('n-1-1-one-image-pixel'), () => view.moving.actualSize()),
     slider(say('brightness'), 'images-brightness', (brightness) => set({ brightness })),
     slider(say('contrast'), 'images-contrast', (contrast) => set({ contrast })),
     adding,

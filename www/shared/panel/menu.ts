@@ -11,11 +11,19 @@ export function unfolded(testid: string, ...tools: HTMLElement[]): HTMLElement {
 }
 
 export function mountMenu(press: HTMLElement, panel: HTMLElement): void {
+  const isUnfolded = () => panel.classList.contains('is-open');
+  let covered: readonly HTMLElement[] = [];
+  /** What the panel covers cannot be pressed, nor come to by keys, as long as it does. */
+  const cover = () => {
+    for (const control of covered) control.inert = false;
+    covered = isUnfolded() ? controlsUnder(panel) : [];
+    for (const control of covered) control.inert = true;
+  };
   const show = (unfolded: boolean) => {
     panel.classList.toggle('is-open', unfolded);
     press.setAttribute('aria-expanded', String(unfolded));
+    cover();
   };
-  const isUnfolded = () => panel.classList.contains('is-open');
   press.setAttribute('aria-controls', panel.id);
   press.addEventListener('click', () => show(!isUnfolded()));
   document.addEventListener('pointerdown', ({ target }) => {
@@ -35,4 +43,17 @@ export function mountMenu(press: HTMLElement, panel: HTMLElement): void {
     if (held) press.focus();
   });
   show(false);
+  // Where the window is resized, and where what holds the panel is hidden, it covers others, or none.
+  const resized = new ResizeObserver(cover);
+  for (const element of [panel, document.documentElement]) resized.observe(element);
+}
+
+/** The controls of the page that lie under a panel, wholly or in part. */
+function controlsUnder(panel: HTMLElement): HTMLElement[] {
+  const over = panel.getBoundingClientRect();
+  return [...document.querySelectorAll<HTMLElement>('button, select, input, a')].filter((control) => {
+    if (control.inert || panel.contains(control)) return false;
+    const { left, right, top, bottom } = control.getBoundingClientRect();
+    return left < over.right && right > over.left && top < over.bottom && bottom > over.top;
+  });
 }

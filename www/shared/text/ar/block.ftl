@@ -291,7 +291,6 @@ other-images = صور أخرى
 other-images-title = عرض الصور التالية (Page Down)؛ تبقى الصور التي وُضعت فيها النقطة المقيسة
 open-as-pair = فتح زوجًا
 match-the-two-images-that = مطابقة الصورتين المعروضتين في عرض الأزواج
-one-image-pixel-to-one = بكسل الصورة ببكسل واحد من الشاشة (1)
 brightness = السطوع
 contrast = التباين
 

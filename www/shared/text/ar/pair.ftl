@@ -595,7 +595,6 @@ lines = الخطوط
 pan-and-zoom-both-images = تحريك الصورتين وتكبيرهما معًا (L)
 magnifier = المكبّرة
 enlarge-what-is-under-the-pointer = تكبير ما تحت المؤشر (M)
-n-1-1-one-image-pixel = ‏1:1: بكسل الصورة ببكسل واحد من الشاشة (1)
 previous-point-p = النقطة السابقة (P)
 next-point-n = النقطة التالية (N)
 whole-images = الصورتان كاملتين

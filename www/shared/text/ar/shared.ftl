@@ -59,6 +59,7 @@ was-saved = حُفظ { $name }.
 px-2 = { FIXED($value, digits: 2) } بكسل
 sigma-of-image-observations = ‏σ₀ لأرصاد الصور
 moves-the-measured-point-by = يحرك النقطة المقيسة 0.1 بكسل؛ ومع Shift بكسلًا واحدًا
+n-1-1-one-image-pixel = ‏1:1: بكسل الصورة ببكسل واحد من الشاشة (1)
 shows-one-image-pixel-as = يعرض بكسل الصورة ببكسل واحد من الشاشة
 this-browser-offers-no-canvas = لا يوفر هذا المتصفح لوحة للرسم
 focal-length = البعد البؤري

@@ -641,7 +641,6 @@ lines = Lines
 pan-and-zoom-both-images = Pan and zoom both images together (L)
 magnifier = Magnifier
 enlarge-what-is-under-the-pointer = Enlarge what is under the pointer (M)
-n-1-1-one-image-pixel = 1:1: one image pixel to one screen pixel (1)
 previous-point-p = Previous point (P)
 next-point-n = Next point (N)
 whole-images = whole images

@@ -63,6 +63,7 @@ was-saved = { $name } was saved.
 px-2 = { FIXED($value, digits: 2) } px
 sigma-of-image-observations = σ₀ of image observations
 moves-the-measured-point-by = moves the measured point by 0.1 px; with Shift by 1 px
+n-1-1-one-image-pixel = 1:1: one image pixel to one screen pixel (1)
 shows-one-image-pixel-as = shows one image pixel as one screen pixel
 this-browser-offers-no-canvas = this browser offers no canvas to draw on
 focal-length = Focal length
