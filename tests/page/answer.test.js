@@ -368,6 +368,17 @@ test('a sample block is photographed, run and answered by one press, and nothing
     return grey > 0.1 * canvas.width * canvas.height;
   });
   assert.ok((await shifts(page)) < 0.02, String(await shifts(page)));
+  // What is drawn on the images is said over them, as far as it is drawn.
+  await part(page, 'block-show-images').click();
+  const legend = part(page, 'image-legend').locator('> span');
+  assert.deepEqual(await legend.allTextContents(), ['accepted', 'measured by hand', 'rejected', 'rejected by hand']);
+  const panes = await part(page, 'block-panes').boundingBox();
+  await part(page, 'images-vectors').selectOption('100');
+  await part(page, 'images-points').click();
+  await page.waitForFunction(() => document.querySelectorAll('[data-testid="image-legend"] > span').length === 2);
+  assert.deepEqual(await legend.allTextContents(), ['residual', 'residual of a rejected observation']);
+  assert.ok(await legend.first().isVisible());
+  assert.deepEqual(await part(page, 'block-panes').boundingBox(), panes);
   await part(page, 'block-details').click();
   assert.ok((await number(page, 'block-points-count')) > 0);
   assert.deepEqual(complaints(), []);

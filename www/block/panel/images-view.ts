@@ -23,6 +23,7 @@ import { PlaceCrop } from '../view/images/place-crop';
 import type { Looking } from '../view/looking';
 import type { At, Pane } from '../view/images/scene';
 import type { Measures } from './edit-bar';
+import { imageLegend } from './image-legend';
 import { KEYS_ID } from './view';
 import type { StageView } from './view';
 import { say } from '../../shared/text/words';
@@ -67,7 +68,7 @@ export function imagesView(engine: BlockEngine, placing: PlacingEngine, facts: F
         setText(place, placeText(store, view));
         setText(point, pointText(store, view));
       });
-      return { element, tools: [toolsOf(host, store, view, looking)], zoomable: view.moving, keys: KEYS };
+      return { element, tools: [toolsOf(host, store, view, looking)], legend: imageLegend('image-legend', view), zoomable: view.moving, keys: KEYS };
     },
   };
 }
@@ -256,6 +257,7 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
     slider(say('brightness'), 'images-brightness', (brightness) => set({ brightness })),
     slider(say('contrast'), 'images-contrast', (contrast) => set({ contrast })),
     adding,
+    imageLegend('images-menu-legend', view),
   );
   const other = button(say('other-images'), 'images-other', () => view.turn(1), say('other-images-title'));
   const unfold = h('button', { type: 'button', class: 'menu-button', testid: 'images-menu' }, say('view'));

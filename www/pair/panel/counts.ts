@@ -12,7 +12,8 @@ import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { fill, h, markStale, row, section } from '../../shared/panel/dom';
 import { count, percent, significant } from '../../shared/text/format';
-import { swatch } from './swatch';
+import { swatch } from '../../shared/panel/swatch';
+import { styleOf } from '../view/palette';
 import { whenInSight } from '../../shared/panel/sight';
 import { say } from '../../shared/text/words';
 
@@ -181,7 +182,7 @@ function ruleRow(
   });
   const name = h('span', { title: textOfCode(code) }, label ?? own);
   return row(
-    h('span', { class: 'legend' }, swatch(code), name),
+    h('span', { class: 'legend' }, swatch(styleOf(code)), name),
     cell(testid, count(value)),
     h('td', { class: 'number' }, share(value)),
     h('td', { class: 'centre' }, toggle),

@@ -13,7 +13,8 @@ import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
 import { featurePictures } from './feature';
 import { count, fixed, significant } from '../../shared/text/format';
-import { swatch } from './swatch';
+import { swatch } from '../../shared/panel/swatch';
+import { styleOf } from '../view/palette';
 import { verdictOf } from './verdict';
 import { windowPicture } from './window';
 import { whenInSight } from '../../shared/panel/sight';
@@ -81,7 +82,7 @@ function problemOr(state: State, text: string): string {
 
 function verdict(state: State, shown: ShownPair, match: MatchResult): HTMLElement {
   const { code, text } = verdictOf(state, shown, match);
-  return h('p', { class: 'verdict', testid: 'point-verdict' }, swatch(code), h('span', {}, text));
+  return h('p', { class: 'verdict', testid: 'point-verdict' }, swatch(styleOf(code)), h('span', {}, text));
 }
 
 function windows({ left, right }: Inspection, axes: boolean): HTMLElement {
