@@ -2,6 +2,7 @@
 import { toggle } from '../../shared/panel/choice';
 import { h } from '../../shared/panel/dom';
 import { isOpen, watchDrawers } from '../../shared/panel/drawers';
+import { sidewaysNote, watchSideways } from '../../shared/panel/sideways';
 import { isHidden } from '../../shared/panel/sight';
 import { tabbed } from '../../shared/panel/tabs';
 import { Table } from '../../shared/panel/table';
@@ -159,12 +160,13 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
     own = choice;
     looking.choose(choice);
   };
+  const sideways = sidewaysNote(`block-${subject}-sideways`);
   const table = new Table(host, {
     testid: `block-${subject}`,
     words: { table: title, region: say('table', { title }) },
     file: `block-${subject}.csv`,
     ...(subject === 'points' ? { order: 'point' } : {}),
-    tools,
+    tools: [sideways, ...tools],
     point: (row) => looking.point(ofRow(row)),
     filter: (filter) => store.dispatch({ type: 'filter', subject, filter }),
     choose: (row) => choose(ofRow(row)),
@@ -183,6 +185,7 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
       : {}),
     ...(subject === 'images' ? { chooseMore: (rows) => choose(withMoreImages(store.state.selection.chosen, rows.filter(isInBlock))) } : {}),
   });
+  watchSideways(sideways, table);
   let shownRows = NO_ROWS;
   // It is drawn when it comes into sight.
   const draw = () => {

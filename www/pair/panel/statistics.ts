@@ -1,6 +1,7 @@
 /** The table of matches: each with its statistics, sorted and filtered by any of them, linked both ways to the images. */
 import { button, fill, h } from '../../shared/panel/dom';
 import { afterFrame } from '../../shared/engine/breath';
+import { sidewaysNote, watchSideways } from '../../shared/panel/sideways';
 import { whenInSight } from '../../shared/panel/sight';
 import { Table } from '../../shared/panel/table';
 import type { MatchResult } from '../../shared/crate';
@@ -45,12 +46,9 @@ export function mountStatistics(host: HTMLElement, store: Store, editing: Editin
     chooseMore: (rows) => editing.chooseLefts(leftsOf(rows)),
     isChosen: (match) => chosen.has(statistics?.lefts[match] ?? -1),
   });
-  // More columns than the panel is wide are found by scrolling, which a scrollbar that hides does not tell.
-  const sideways = h('p', { class: 'note', hidden: true, testid: 'statistics-sideways' }, say('scroll-sideways-for-more-columns'));
+  const sideways = sidewaysNote('statistics-sideways');
   table.scroller.before(sideways);
-  new ResizeObserver(() => {
-    sideways.hidden = table.scroller.scrollWidth <= table.scroller.clientWidth;
-  }).observe(table.head);
+  watchSideways(sideways, table);
 
   let chosen: ReadonlySet<number> = new Set();
   let statistics: Statistics | null = null;
