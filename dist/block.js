@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, EPIPOLAR, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, sidewaysNote, smooth, sortRasters, swatch, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asFigure, asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -7515,6 +7515,7 @@ function oneTable(host, store, looking, source) {
 		own = choice;
 		looking.choose(choice);
 	};
+	const sideways = sidewaysNote(`block-${subject}-sideways`);
 	const table = new Table(host, {
 		testid: `block-${subject}`,
 		words: {
@@ -7523,7 +7524,7 @@ function oneTable(host, store, looking, source) {
 		},
 		file: `block-${subject}.csv`,
 		...subject === "points" ? { order: "point" } : {},
-		tools,
+		tools: [sideways, ...tools],
 		point: (row) => looking.point(ofRow(row)),
 		filter: (filter) => store.dispatch({
 			type: "filter",
@@ -7536,6 +7537,7 @@ function oneTable(host, store, looking, source) {
 		...subject === "pairs" ? { chooseMore: (rows) => choose(withMorePairs(store.state.selection.chosen, rows.flatMap((row) => pairsOf(ofRow(row))))) } : {},
 		...subject === "images" ? { chooseMore: (rows) => choose(withMoreImages(store.state.selection.chosen, rows.filter(isInBlock))) } : {}
 	});
+	watchSideways(sideways, table);
 	let shownRows = NO_ROWS;
 	const draw = () => {
 		if (isHidden(host)) return;
@@ -10081,6 +10083,92 @@ var PlaceCrop = class {
 		drawCross(context, [width / 2, height / 2], MEASURED.colour);
 	}
 };
+// www/block/panel/image-legend.ts
+var RING = "M13 8a5 5 0 1 0-10 0a5 5 0 1 0 10 0z";
+var ARROW = "M2 8H14M10.5 5L14 8L10.5 11";
+var CROSS = "M8 1.5v4M8 10.5v4M1.5 8h4M10.5 8h4";
+var look = ({ seen }) => seen.store.state.panes.look;
+var hasPoints = (view) => look(view).points;
+var hasResiduals = (view) => look(view).vectors > 0;
+var hasChosen = ({ seen }) => pointsOf(seen.store.state.selection.chosen).length > 0;
+var isMeasuring = ({ measuring }) => measuring.draft !== null;
+var ENTRIES = [
+	{
+		text: say("accepted"),
+		mark: () => swatch(ACCEPTED),
+		isDrawn: hasPoints
+	},
+	{
+		text: say("legend-measured-by-hand"),
+		mark: () => swatch(MEASURED),
+		isDrawn: hasPoints
+	},
+	{
+		text: say("rejected-2"),
+		mark: () => swatch(REJECTED),
+		isDrawn: hasPoints
+	},
+	{
+		text: say("rejected-by-hand-2"),
+		mark: () => swatch(REJECTED_BY_HAND),
+		isDrawn: hasPoints
+	},
+	{
+		text: say("legend-residual"),
+		mark: () => lineSwatch(ARROW, RESIDUAL),
+		isDrawn: hasResiduals
+	},
+	{
+		text: say("legend-residual-rejected"),
+		mark: () => lineSwatch(ARROW, RESIDUAL_REJECTED),
+		isDrawn: hasResiduals
+	},
+	{
+		text: say("legend-chosen"),
+		mark: () => lineSwatch(RING, SELECTED),
+		isDrawn: hasChosen
+	},
+	{
+		text: say("legend-predicted"),
+		mark: () => swatch({
+			colour: CANDIDATE,
+			shape: SHAPES.cross
+		}),
+		isDrawn: hasChosen
+	},
+	{
+		text: say("legend-placed"),
+		mark: () => lineSwatch(CROSS, SELECTED),
+		isDrawn: isMeasuring
+	},
+	{
+		text: say("predicted-not-measured"),
+		mark: () => lineSwatch(RING, CANDIDATE, "3 2"),
+		isDrawn: (view) => isMeasuring(view) || hasChosen(view) && look(view).unmeasured
+	},
+	{
+		text: say("legend-epipolar"),
+		mark: () => lineSwatch("M1 12L15 4", EPIPOLAR, "4 2.5"),
+		isDrawn: (view) => isMeasuring(view) || hasChosen(view) || look(view).loupe
+	}
+];
+function imageLegend(testid, view) {
+	const legend = h("div", {
+		class: "note image-legend",
+		testid,
+		role: "group",
+		aria: { label: say("legend-of-marks") }
+	});
+	let shown = "";
+	view.watch(() => {
+		const now = ENTRIES.filter(({ isDrawn }) => isDrawn(view));
+		const texts = now.map(({ text }) => text).join("|");
+		if (texts === shown) return;
+		shown = texts;
+		fill(legend, ...now.map(({ text, mark }) => h("span", { class: "legend" }, mark(), text)));
+	});
+	return legend;
+}
 // www/block/panel/view.ts
 var KEYS_ID = "block-keys";
 // www/block/panel/images-view.ts
@@ -10134,6 +10222,7 @@ function imagesView(engine, placing, facts, addImages, ready) {
 			return {
 				element,
 				tools: [toolsOf$2(host, store, view, looking)],
+				legend: imageLegend("image-legend", view),
 				zoomable: view.moving,
 				keys: KEYS$3
 			};
@@ -10334,7 +10423,7 @@ function toolsOf$2(host, store, view, looking) {
 	const more = h("div", {
 		class: "more image-more",
 		id: "images-more"
-	}, labelled("1:1", "images-actual", say("one-image-pixel-to-one"), () => view.moving.actualSize()), slider(say("brightness"), "images-brightness", (brightness) => set({ brightness })), slider(say("contrast"), "images-contrast", (contrast) => set({ contrast })), adding);
+	}, labelled("1:1", "images-actual", say("n-1-1-one-image-pixel"), () => view.moving.actualSize()), slider(say("brightness"), "images-brightness", (brightness) => set({ brightness })), slider(say("contrast"), "images-contrast", (contrast) => set({ contrast })), adding, imageLegend("images-menu-legend", view));
 	const other = button(say("other-images"), "images-other", () => view.turn(1), say("other-images-title"));
 	const unfold = h("button", {
 		type: "button",
@@ -10410,6 +10499,7 @@ function themeColours() {
 }
 function readColours() {
 	const probe = document.createElement("span");
+	probe.style.setProperty("forced-color-adjust", "none");
 	document.body.append(probe);
 	const colours = Object.fromEntries(NAMES.map((name) => {
 		probe.style.color = `var(--${name})`;
@@ -10428,6 +10518,7 @@ function onRecolour(callback) {
 		attributeFilter: ["data-theme"]
 	});
 	matchMedia("(prefers-color-scheme: dark)").addEventListener("change", changed);
+	matchMedia("(forced-colors: active)").addEventListener("change", changed);
 }
 // www/block/view/looking.ts
 function press(store, looking, choice) {
@@ -16184,7 +16275,8 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 		},
 		give: (given, masks) => void files.give(given, masks),
 		sample,
-		open: (file) => files.open(file)
+		open: (file) => files.open(file),
+		save: (near) => saveAs(store, engine, "project", near)
 	};
 }
 function mountActions(host, store, files) {

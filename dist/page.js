@@ -1132,10 +1132,6 @@ var ATTRIBUTES = [
 	"aria-roledescription",
 	"content"
 ];
-function turnDocument() {
-	document.documentElement.lang = LANGUAGE;
-	document.documentElement.dir = LANGUAGES[LANGUAGE].direction;
-}
 function sayDocument() {
 	document.documentElement.style.setProperty("--earlier-settings", JSON.stringify(say("earlier-settings-2")));
 	if (LANGUAGE === "en") return;
@@ -1144,6 +1140,10 @@ function sayDocument() {
 		const name = `data-say-${attribute.replace("aria-", "")}`;
 		for (const element of document.querySelectorAll(`[${name}]`)) element.setAttribute(attribute, say(element.getAttribute(name) ?? ""));
 	}
+	showDocument();
+}
+function showDocument() {
+	delete document.documentElement.dataset.unsaid;
 }
 function withKeys(text) {
 	return text.split(/\[([^\]]+)\]/u).map((part, i) => i % 2 === 0 ? part : h("kbd", {}, part));
@@ -1173,7 +1173,6 @@ async function start() {
 		given = waiting;
 		tell();
 	});
-	turnDocument();
 	wasmModule().catch(() => void 0);
 	await learnPart("program");
 	sayDocument();
@@ -1189,5 +1188,6 @@ document.getElementById("load-again")?.addEventListener("click", () => location.
 start().catch(() => {
 	document.getElementById("status")?.replaceChildren();
 	document.getElementById("not-loaded")?.removeAttribute("hidden");
+	showDocument();
 });
 export { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, asFigure, asSentence, besideFiles, button, byId, count, decimalsOfError, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, sayNamed, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus };

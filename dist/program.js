@@ -1972,7 +1972,7 @@ function messageOf(thrown) {
 	return typeof error?.kind === "string" ? message("error", {
 		...error,
 		kind: error.kind
-	}) : thrown.message;
+	}) : thrown.message || thrown.name;
 }
 // www/shared/engine/client.ts
 var CallError = class extends Error {
@@ -3899,6 +3899,20 @@ function makeModes() {
 		isKept: true
 	});
 }
+// www/shared/panel/sideways.ts
+function sidewaysNote(testid) {
+	return h("p", {
+		class: "note sideways",
+		hidden: true,
+		testid
+	}, say("scroll-sideways-for-more-columns"));
+}
+function watchSideways(note, { scroller, head }) {
+	const sized = new ResizeObserver(() => {
+		note.hidden = scroller.scrollWidth <= scroller.clientWidth;
+	});
+	for (const element of [head, scroller]) sized.observe(element);
+}
 // www/shared/panel/sight.ts
 var HIDING = "[hidden], .is-closed";
 function isHidden(element) {
@@ -4944,11 +4958,18 @@ function unfolded(testid, ...tools) {
 	return h("div", { class: "view-tools" }, press, more);
 }
 function mountMenu(press, panel) {
+	const isUnfolded = () => panel.classList.contains("is-open");
+	let covered = [];
+	const cover = () => {
+		for (const control of covered) control.inert = false;
+		covered = isUnfolded() ? controlsUnder(panel) : [];
+		for (const control of covered) control.inert = true;
+	};
 	const show = (unfolded) => {
 		panel.classList.toggle("is-open", unfolded);
 		press.setAttribute("aria-expanded", String(unfolded));
+		cover();
 	};
-	const isUnfolded = () => panel.classList.contains("is-open");
 	press.setAttribute("aria-controls", panel.id);
 	press.addEventListener("click", () => show(!isUnfolded()));
 	document.addEventListener("pointerdown", ({ target }) => {
@@ -4967,6 +4988,16 @@ function mountMenu(press, panel) {
 		if (held) press.focus();
 	});
 	show(false);
+	const resized = new ResizeObserver(cover);
+	for (const element of [panel, document.documentElement]) resized.observe(element);
+}
+function controlsUnder(panel) {
+	const over = panel.getBoundingClientRect();
+	return [...document.querySelectorAll("button, select, input, a")].filter((control) => {
+		if (control.inert || panel.contains(control)) return false;
+		const { left, right, top, bottom } = control.getBoundingClientRect();
+		return left < over.right && right > over.left && top < over.bottom && bottom > over.top;
+	});
 }
 // www/shared/panel/zoom.ts
 var STEP = 1.5;
@@ -5470,6 +5501,49 @@ var PointGrid = class {
 		return [clamp(centre - radius), clamp(centre + radius)];
 	}
 };
+// www/shared/panel/swatch.ts
+var OUTLINES = {
+	[SHAPES.dot]: "M6 6h4v4h-4z",
+	[SHAPES.circle]: "M12 8a4 4 0 1 0-8 0a4 4 0 1 0 8 0z",
+	[SHAPES.plus]: "M8 4v8M4 8h8",
+	[SHAPES.cross]: "M4.5 4.5l7 7M11.5 4.5l-7 7",
+	[SHAPES.square]: "M4.5 4.5h7v7h-7z",
+	[SHAPES.triangleUp]: "M8 4l4 7h-8z",
+	[SHAPES.triangleDown]: "M8 12l4-7h-8z",
+	[SHAPES.diamond]: "M8 3.5l4.5 4.5l-4.5 4.5l-4.5-4.5z"
+};
+function swatch({ shape, colour }) {
+	return drawn({
+		d: OUTLINES[shape] ?? "",
+		fill: shape === SHAPES.dot ? colour : "none",
+		stroke: colour
+	});
+}
+function lineSwatch(d, colour, dashes = "none") {
+	return drawn({
+		d,
+		fill: "none",
+		stroke: colour,
+		"stroke-dasharray": dashes
+	});
+}
+function drawn(path) {
+	return svg("svg", {
+		viewBox: "0 0 16 16",
+		width: 16,
+		height: 16,
+		class: "swatch",
+		"aria-hidden": "true"
+	}, svg("rect", {
+		width: 16,
+		height: 16,
+		rx: 3,
+		fill: "#3a3f44"
+	}), svg("path", {
+		...path,
+		"stroke-width": 1.6
+	}));
+}
 // pkg/block/option-name.js
 var optionName = ({ key, named }) => named || key.replace(/^.*\./, "").replaceAll("_", "-");
 // www/shared/text/names.ts
@@ -5892,10 +5966,10 @@ var INITIAL = {
 	notice: null
 };
 // www/pair/state/one-image.ts
-var reasonOf = remember(({ matches }, { info: left }, { info: right }) => one_image(matches, left.width, left.height, right.width, right.height));
+var reasonOf$1 = remember(({ matches }, { info: left }, { info: right }) => one_image(matches, left.width, left.height, right.width, right.height));
 function oneImage({ photos, results: { match, openLeft, openRight } }) {
 	if (SIDES.every((side) => wholeMarks(photos[side]).length > 0)) return null;
-	return match === void 0 || openLeft === void 0 || openRight === void 0 ? null : reasonOf(match.value, openLeft.value, openRight.value);
+	return match === void 0 || openLeft === void 0 || openRight === void 0 ? null : reasonOf$1(match.value, openLeft.value, openRight.value);
 }
 // www/pair/state/keys.ts
 var numbers$1 = new Map();
@@ -8333,6 +8407,9 @@ async function projectText(state, engine) {
 	return project === null ? null : engine.client("pair").call("projectWrite", project);
 }
 var digests = new WeakMap();
+function knowDigest(source, digest) {
+	if (source.kind === "file" && digest !== null) digests.set(source.file, digest);
+}
 function contentOf({ images }, engine, side) {
 	return digestOf(images[side]?.source, engine);
 }
@@ -8516,6 +8593,10 @@ var KeptPairs = class {
 		})));
 		const { history, draft, shelf } = this.journal.read(parts);
 		const result = await this.result(parts, kept);
+		SIDES.forEach((side, place) => {
+			const image = images[side];
+			if (image !== null) knowDigest(image.source, result?.project.images[place]?.content ?? null);
+		});
 		const masks = await this.masks(kept, parts, result?.masks ?? {
 			left: null,
 			right: null
@@ -10204,37 +10285,6 @@ var DRAWN = [
 ];
 var LINE = "rgb(0 222 160 / 0.5)";
 var LINE_REJECTED = "rgb(255 110 20 / 0.85)";
-// www/pair/panel/swatch.ts
-var OUTLINES = {
-	[SHAPES.dot]: "M6 6h4v4h-4z",
-	[SHAPES.circle]: "M12 8a4 4 0 1 0-8 0a4 4 0 1 0 8 0z",
-	[SHAPES.plus]: "M8 4v8M4 8h8",
-	[SHAPES.cross]: "M4.5 4.5l7 7M11.5 4.5l-7 7",
-	[SHAPES.square]: "M4.5 4.5h7v7h-7z",
-	[SHAPES.triangleUp]: "M8 4l4 7h-8z",
-	[SHAPES.triangleDown]: "M8 12l4-7h-8z",
-	[SHAPES.diamond]: "M8 3.5l4.5 4.5l-4.5 4.5l-4.5-4.5z"
-};
-function swatch(code) {
-	const style = styleOf(code);
-	return svg("svg", {
-		viewBox: "0 0 16 16",
-		width: 16,
-		height: 16,
-		class: "swatch",
-		"aria-hidden": "true"
-	}, svg("rect", {
-		width: 16,
-		height: 16,
-		rx: 3,
-		fill: "#3a3f44"
-	}), svg("path", {
-		d: OUTLINES[style.shape] ?? "",
-		fill: style.shape === SHAPES.dot ? style.colour : "none",
-		stroke: style.colour,
-		"stroke-width": 1.6
-	}));
-}
 // www/pair/panel/counts.ts
 var PAPER = {
 	candidates: 0,
@@ -10352,7 +10402,7 @@ function ruleRow(code, testid, value, share, state, store, label) {
 		document.querySelector(`[data-testid="show-${String(code)}"]`)?.focus();
 	});
 	const name = h("span", { title: textOfCode(code) }, label ?? own);
-	return row(h("span", { class: "legend" }, swatch(code), name), cell(testid, count(value)), h("td", { class: "number" }, share(value)), h("td", { class: "centre" }, toggle));
+	return row(h("span", { class: "legend" }, swatch(styleOf(code)), name), cell(testid, count(value)), h("td", { class: "number" }, share(value)), h("td", { class: "centre" }, toggle));
 }
 function scoreLines(state) {
 	const score = state.results.score?.value;
@@ -12478,7 +12528,7 @@ function verdict(state, shown, match) {
 	return h("p", {
 		class: "verdict",
 		testid: "point-verdict"
-	}, swatch(code), h("span", {}, text));
+	}, swatch(styleOf(code)), h("span", {}, text));
 }
 function windows({ left, right }, axes) {
 	const one = (name, window) => {
@@ -12840,15 +12890,9 @@ function mountStatistics(host, store, editing, select) {
 		chooseMore: (rows) => editing.chooseLefts(leftsOf(rows)),
 		isChosen: (match) => chosen.has(statistics?.lefts[match] ?? -1)
 	});
-	const sideways = h("p", {
-		class: "note",
-		hidden: true,
-		testid: "statistics-sideways"
-	}, say("scroll-sideways-for-more-columns"));
+	const sideways = sidewaysNote("statistics-sideways");
 	table.scroller.before(sideways);
-	new ResizeObserver(() => {
-		sideways.hidden = table.scroller.scrollWidth <= table.scroller.clientWidth;
-	}).observe(table.head);
+	watchSideways(sideways, table);
 	let chosen = new Set();
 	let statistics = null;
 	let found = null;
@@ -15632,7 +15676,8 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 		kept,
 		begin: () => files.begin(),
 		taker: takerOf(store, view, files),
-		open: (file) => files.takeProject(file)
+		open: (file) => files.takeProject(file),
+		save: (near) => saving(near, () => exportProject(store, engine))
 	};
 }
 // www/shared/engine/release.ts
@@ -15875,6 +15920,43 @@ replaceTraps((oldTraps) => ({
 		return isIteratorProp(target, prop) || oldTraps.has(target, prop);
 	}
 }));
+// www/shared/files/connection.ts
+var Connection = class {
+	open;
+	lost = () => void 0;
+	opening = null;
+	constructor(open) {
+		this.open = open;
+	}
+	ready() {
+		if (this.opening !== null) return this.opening;
+		const opening = this.open(() => this.lose(opening));
+		this.opening = opening;
+		opening.catch(() => {
+			if (this.opening === opening) this.opening = null;
+		});
+		return opening;
+	}
+	async use(work) {
+		const opening = this.ready();
+		const db = await opening;
+		try {
+			return await work(db);
+		} catch (error) {
+			if (!isClosed(error)) throw error;
+			this.lose(opening);
+			return work(await this.ready());
+		}
+	}
+	lose(opening) {
+		if (this.opening !== opening) return;
+		this.opening = null;
+		this.lost();
+	}
+};
+function isClosed(error) {
+	return error instanceof DOMException && error.name === "InvalidStateError";
+}
 // www/shared/files/database.ts
 var NAME$1 = "tiepoint";
 var VERSION = 1;
@@ -15889,39 +15971,36 @@ var KeepError = class extends Error {
 };
 var partsOf = (project) => IDBKeyRange.bound([project], [project, []]);
 var Database = class Database {
-	db;
-	constructor(db) {
-		this.db = db;
-	}
+	connection = new Connection((lost) => opened(lost));
+	constructor() {}
 	static async open() {
-		const opening = openDB(NAME$1, VERSION, {
-			upgrade: (db) => {
-				db.createObjectStore("projects", { keyPath: "id" });
-				db.createObjectStore("parts", { keyPath: ["project", "part"] }).createIndex("sizes", ["project", "bytes"]);
-			},
-			blocking: (_, __, event) => event.target.close()
-		});
-		const late = new Promise((_, reject) => setTimeout(() => setTimeout(() => reject(new Error(say("the-storage-does-not-answer")))), PATIENCE_MS));
-		return new Database(await Promise.race([opening, late]));
+		const database = new Database();
+		await database.connection.ready();
+		return database;
+	}
+	watch(lost) {
+		this.connection.lost = lost;
 	}
 	async projects() {
-		return (await this.db.getAll("projects")).sort((a, b) => b.changed - a.changed);
+		return (await this.read((db) => db.getAll("projects"))).sort((a, b) => b.changed - a.changed);
 	}
 	project(id) {
-		return this.db.get("projects", id);
+		return this.read((db) => db.get("projects", id));
 	}
 	async parts(id) {
-		const rows = await this.db.getAll("parts", partsOf(id));
+		const rows = await this.read((db) => db.getAll("parts", partsOf(id)));
 		return new Map(rows.map(({ part, value }) => [part, value]));
 	}
-	async bytesOf(id) {
-		let sum = 0;
-		let cursor = await this.db.transaction("parts").store.index("sizes").openKeyCursor(IDBKeyRange.bound([id], [id, []]));
-		while (cursor !== null) {
-			sum += cursor.key[1];
-			cursor = await cursor.continue();
-		}
-		return sum;
+	bytesOf(id) {
+		return this.read(async (db) => {
+			let sum = 0;
+			let cursor = await db.transaction("parts").store.index("sizes").openKeyCursor(IDBKeyRange.bound([id], [id, []]));
+			while (cursor !== null) {
+				sum += cursor.key[1];
+				cursor = await cursor.continue();
+			}
+			return sum;
+		});
 	}
 	async write(row, { put, drop }, isNew) {
 		await this.change(async (projects, parts) => {
@@ -15941,30 +16020,50 @@ var Database = class Database {
 			]);
 		});
 	}
-	async edit(id, changed) {
+	async claim(id, writer, from) {
+		await this.change(async (projects) => {
+			const there = await projects.get(id);
+			if (there === void 0) throw new KeepError("gone", say("the-project-is-no-longer"));
+			if (there.writer === writer) return;
+			if (from !== void 0 && there.writer !== from) throw new KeepError("taken", say("another-tab-has-taken-the"));
+			await projects.put({
+				...there,
+				writer
+			});
+		});
+	}
+	async rename(id, name) {
 		await this.change(async (projects) => {
 			const there = await projects.get(id);
 			if (there === void 0) throw new KeepError("gone", say("the-project-is-no-longer"));
 			await projects.put({
 				...there,
-				...changed
+				name
 			});
 		});
 	}
 	async duplicate(id, row) {
-		await this.change(async (projects, parts) => {
-			const there = await projects.get(id);
-			if (there === void 0) throw new KeepError("gone", say("the-project-is-no-longer"));
-			await projects.put({
-				...there,
-				...row,
-				writer: ""
+		let needed = 0;
+		try {
+			await this.change(async (projects, parts) => {
+				const there = await projects.get(id);
+				if (there === void 0) throw new KeepError("gone", say("the-project-is-no-longer"));
+				const all = await parts.getAll(partsOf(id));
+				needed = all.reduce((sum, { bytes }) => sum + bytes, 0);
+				await projects.put({
+					...there,
+					...row,
+					writer: ""
+				});
+				for (const part of all) await parts.put({
+					...part,
+					project: row.id
+				});
 			});
-			for (const part of await parts.getAll(partsOf(id))) await parts.put({
-				...part,
-				project: row.id
-			});
-		});
+		} catch (error) {
+			if (!(error instanceof KeepError) || error.kind !== "full") throw error;
+			throw new KeepError("full", say("the-copy-needs-about", { size: sizeText(needed) }));
+		}
 	}
 	async separate(id, row, names) {
 		await this.change(async (projects, parts) => {
@@ -15991,23 +16090,53 @@ var Database = class Database {
 			await Promise.all([projects.delete(id), parts.delete(partsOf(id))]);
 		});
 	}
-	async change(work) {
-		let done = null;
-		let abort = () => {};
+	async read(work) {
 		try {
-			const transaction = this.db.transaction(["projects", "parts"], "readwrite", { durability: "strict" });
-			done = transaction.done;
-			done.catch(() => {});
-			abort = () => transaction.abort();
-			await work(transaction.objectStore("projects"), transaction.objectStore("parts"));
-			await done;
+			return await this.connection.use(work);
 		} catch (error) {
-			const reason = await ended(error, done, abort);
-			if (reason instanceof KeepError) throw reason;
-			throw new KeepError(isFull(reason) ? "full" : "other", reason instanceof Error ? reason.message : String(reason));
+			throw keepError(error);
 		}
 	}
+	change(work) {
+		return this.read((db) => transacted(db, work));
+	}
 };
+async function opened(lost) {
+	const late = new Promise((_, reject) => setTimeout(() => setTimeout(() => reject(new Error(say("the-storage-does-not-answer")))), PATIENCE_MS));
+	late.catch(() => {});
+	try {
+		return await Promise.race([connected(lost), late]);
+	} catch (error) {
+		throw new KeepError("closed", reasonOf(error));
+	}
+}
+function connected(lost) {
+	return openDB(NAME$1, VERSION, {
+		upgrade: (db) => {
+			db.createObjectStore("projects", { keyPath: "id" });
+			db.createObjectStore("parts", { keyPath: ["project", "part"] }).createIndex("sizes", ["project", "bytes"]);
+		},
+		blocking: (_, __, event) => {
+			event.target.close();
+			lost();
+		},
+		terminated: lost
+	});
+}
+async function transacted(db, work) {
+	let done = null;
+	let abort = () => {};
+	try {
+		const transaction = db.transaction(["projects", "parts"], "readwrite", { durability: "strict" });
+		done = transaction.done;
+		done.catch(() => {});
+		abort = () => transaction.abort();
+		await work(transaction.objectStore("projects"), transaction.objectStore("parts"));
+		await done;
+	} catch (error) {
+		throw await ended(error, done, abort);
+	}
+}
 async function ended(error, done, abort) {
 	try {
 		abort();
@@ -16016,16 +16145,31 @@ async function ended(error, done, abort) {
 		return done === null ? error : done.then(() => error, (reason) => reason ?? error);
 	}
 }
-function isFull(error) {
-	return error instanceof DOMException && error.name === "QuotaExceededError";
+function keepError(error) {
+	if (error instanceof KeepError) return error;
+	if (error instanceof DOMException && error.name === "QuotaExceededError") return new KeepError("full", say("the-storage-is-full"));
+	return new KeepError("other", reasonOf(error));
+}
+function reasonOf(error) {
+	if (!(error instanceof DOMException)) return messageOf(error);
+	return error.name === "VersionError" ? say("a-later-version-of-this") : say("the-storage-failed", { name: error.name });
 }
 // www/shared/state/keeping.ts
 var NOT_KEPT = [
 	"absent",
 	"full",
 	"failed",
+	"closed",
+	"cleared",
 	"reading",
 	"taken"
+];
+var UNTIL_WRITTEN = [
+	"no-room",
+	"full",
+	"failed",
+	"closed",
+	"cleared"
 ];
 function makeKeeping() {
 	return new Holder({
@@ -16041,6 +16185,9 @@ function makeKeeping() {
 }
 function isKept({ works, trouble }) {
 	return works && (trouble === null || !NOT_KEPT.includes(trouble.kind));
+}
+function endsWhenWritten({ trouble }) {
+	return trouble !== null && UNTIL_WRITTEN.includes(trouble.kind);
 }
 // www/shared/files/claim.ts
 var LEAVING_MS = 1e3;
@@ -16152,18 +16299,28 @@ var ProjectReader = class {
 		if (claim === null && !looks) return refused("elsewhere", "");
 		try {
 			if (how === "steal") await new Promise((resolve) => setTimeout(resolve, HANDOVER_MS));
-			if (!looks) await database.edit(id, { writer: this.tab });
+			const unnamed = looks ? null : await this.named(database, id);
 			const parts = await database.parts(id);
 			return {
 				row,
 				title,
 				parts,
 				claim,
+				unnamed,
 				shows: await Promise.all(this.keepables.map((keepable) => keepable.read(parts)))
 			};
 		} catch (error) {
 			if (claim !== null && held() !== claim) claim.release();
 			return refused("unreadable", messageOf(error));
+		}
+	}
+	async named(database, id) {
+		try {
+			await database.claim(id, this.tab);
+			return null;
+		} catch (error) {
+			if (error instanceof KeepError && (error.kind === "full" || error.kind === "other")) return error;
+			throw error;
 		}
 	}
 };
@@ -16194,16 +16351,37 @@ var Written = class {
 	parts = new Map();
 	mode = "";
 	isNew = true;
+	isGone = false;
+	former = null;
 	constructor(keepables) {
 		this.keepables = keepables;
 	}
 	begin() {
 		this.isNew = true;
+		this.isGone = false;
+		this.former = null;
 		this.parts = new Map();
 	}
-	opened(parts) {
+	opened(parts, former) {
 		this.isNew = false;
+		this.isGone = false;
+		this.former = former;
 		this.parts = new Map(parts);
+	}
+	gone() {
+		this.begin();
+		this.isGone = true;
+	}
+	doubt(writer) {
+		if (!this.isNew) this.former ??= writer;
+	}
+	get isInDoubt() {
+		return this.former !== null;
+	}
+	async ensure(database, id, writer) {
+		if (this.former === null) return;
+		await database.claim(id, writer, this.former);
+		this.former = null;
 	}
 	forget(parts) {
 		for (const gone of parts) this.parts.delete(gone);
@@ -16237,8 +16415,10 @@ var Written = class {
 			const needed = new Map([...rest].filter(([, { again }]) => again !== true));
 			if (!(error instanceof KeepError) || error.kind !== "full" || needed.size === rest.size) throw error;
 			await write(needed, drop);
+			this.isGone = false;
 			throw error;
 		}
+		this.isGone = false;
 	}
 };
 function portionsOf(put) {
@@ -16281,6 +16461,7 @@ var Keeper = class {
 		let show = () => {};
 		try {
 			this.database = await opening;
+			this.database.watch(() => this.closed());
 			this.keeping.dispatch({ works: true });
 			show = await this.first(this.database);
 		} catch (error) {
@@ -16396,6 +16577,7 @@ var Keeper = class {
 			writer: this.tab
 		};
 		try {
+			if (this.database !== null) await this.written.ensure(this.database, project, this.tab);
 			await this.database?.separate(project, row, parts);
 		} catch (error) {
 			this.failed(error, project);
@@ -16414,7 +16596,7 @@ var Keeper = class {
 		});
 	}
 	async rename(id, name) {
-		await this.database?.edit(id, { name });
+		await this.database?.rename(id, name);
 		if (id === this.keeping.state.project) this.keeping.dispatch({ name });
 	}
 	async duplicate(id, name) {
@@ -16445,6 +16627,10 @@ var Keeper = class {
 		this.timer = void 0;
 		this.saving = this.saving.then(() => this.save());
 		return this.saving;
+	}
+	closed() {
+		this.written.doubt(this.tab);
+		this.later();
 	}
 	later() {
 		this.timer ??= window.setTimeout(() => void this.flush(), GATHER_MS);
@@ -16483,22 +16669,24 @@ var Keeper = class {
 			this.keeping.dispatch({ trouble: read });
 			return null;
 		}
-		const { row, title, parts, claim, shows } = read;
+		const { row, title, parts, claim, unnamed, shows } = read;
+		const trouble = (kind) => ({
+			kind,
+			reason: unnamed?.message ?? "",
+			project: {
+				id,
+				title
+			}
+		});
+		const unwritten = unnamed === null ? null : trouble(unnamed.kind === "full" ? "no-room" : "failed");
 		return () => {
 			if (this.claim !== claim) this.claim?.release();
 			this.claim = claim;
-			this.written.opened(parts);
+			this.written.opened(parts, unnamed === null ? null : row.writer);
 			this.keeping.dispatch({
 				project: id,
 				name: row.name,
-				trouble: claim === null ? {
-					kind: "reading",
-					reason: "",
-					project: {
-						id,
-						title
-					}
-				} : null
+				trouble: claim === null ? trouble("reading") : unwritten
 			});
 			rememberProject(id);
 			for (const show of shows) show();
@@ -16543,7 +16731,8 @@ var Keeper = class {
 		if (database === null || project === "" || trouble?.kind === "taken" || trouble?.kind === "reading") return;
 		const { put, drop } = this.written.changes();
 		const mode = this.mode.now();
-		if (put.size === 0 && drop.length === 0 && (this.written.isNew || mode === this.written.mode)) return;
+		const isSame = put.size === 0 && drop.length === 0 && (this.written.isNew || mode === this.written.mode);
+		if (isSame && !this.written.isInDoubt) return;
 		const row = {
 			id: project,
 			form: 1,
@@ -16554,9 +16743,10 @@ var Keeper = class {
 			writer: this.tab
 		};
 		try {
-			await this.written.write(database, row, put, drop);
+			await this.written.ensure(database, project, this.tab);
+			if (!isSame) await this.written.write(database, row, put, drop);
 			this.written.mode = mode;
-			if (trouble?.kind === "full" || trouble?.kind === "failed") keeping.dispatch({ trouble: null });
+			if (endsWhenWritten(keeping.state)) keeping.dispatch({ trouble: null });
 		} catch (error) {
 			this.failed(error, project);
 		}
@@ -16575,19 +16765,25 @@ var Keeper = class {
 			return;
 		}
 		if (kind === "gone") {
-			this.written.begin();
+			this.written.gone();
+			rememberProject(id);
 			this.later();
 			return;
 		}
-		const project = {
-			id,
-			title: this.title()
-		};
 		this.keeping.dispatch({ trouble: {
-			kind: kind === "full" ? "full" : "failed",
+			kind: this.unkept(kind),
 			reason: messageOf(error),
-			project
+			project: {
+				id,
+				title: this.title()
+			}
 		} });
+	}
+	unkept(failure) {
+		if (this.written.isGone) return "cleared";
+		if (failure === "closed") return "closed";
+		if (failure !== "full") return "failed";
+		return this.written.isInDoubt && !this.written.isChanged() ? "no-room" : "full";
 	}
 };
 // www/shared/files/late.ts
@@ -16920,8 +17116,14 @@ function textOf({ kind, reason, project }) {
 	const title = `“${project?.title ?? ""}”`;
 	switch (kind) {
 		case "absent": return say("this-browser-keeps-nothing-of", { reason });
+		case "no-room": return say("the-storage-is-full-and-is", { title });
 		case "full": return say("the-storage-of-this-browser");
 		case "failed": return say("the-last-changes-could-not", { reason });
+		case "closed": return say("the-browser-has-closed-its", { reason });
+		case "cleared": return say("what-this-browser-had-kept", {
+			title,
+			reason
+		});
 		case "elsewhere": return say("is-open-in-another-tab", { title });
 		case "reading": return say("is-open-in-another-tab-this", { title });
 		case "taken": return say("another-tab-has-taken-over", { title });
@@ -16932,13 +17134,14 @@ function textOf({ kind, reason, project }) {
 		case "broke-off": return say("was-not-opened-the-page", { title });
 	}
 }
-function buttonsFor({ kind, project }, keeper, { projects, saveFiles }) {
+function buttonsFor({ kind, project }, keeper, { projects, saveFiles, saveProject }) {
 	const id = project?.id ?? "";
 	const take = () => void keeper.open(id, "steal");
 	const look = () => void keeper.open(id, "look");
 	const asNew = () => void keeper.keepAsNew();
 	const list = button(say("projects"), "keeping-projects", projects);
 	const close = button(say("close-2"), "keeping-close", () => keeper.dismiss());
+	const asFile = button(say("save-the-project"), "keeping-save-project", () => saveProject("keeping-save-project"));
 	switch (kind) {
 		case "elsewhere": return [
 			button(say("look-at-it"), "keeping-look", look),
@@ -16961,7 +17164,15 @@ function buttonsFor({ kind, project }, keeper, { projects, saveFiles }) {
 			button(say("save-its-files"), "keeping-save", () => saveFiles(id)),
 			close
 		];
-		case "full": return [list, close];
+		case "no-room":
+		case "full": return [
+			list,
+			asFile,
+			close
+		];
+		case "failed":
+		case "closed":
+		case "cleared": return [asFile, close];
 		default: return [close];
 	}
 }
@@ -16970,7 +17181,7 @@ var DATE = new Intl.DateTimeFormat(LANGUAGE === "en" ? "en-GB" : `${LANGUAGE}-u-
 	dateStyle: "medium",
 	timeStyle: "short"
 });
-function mountProjects(keeper) {
+function mountProjects(keeper, saveProject) {
 	const anew = byId("anew");
 	const press = byId("projects");
 	const list = new ProjectList(keeper);
@@ -16981,7 +17192,8 @@ function mountProjects(keeper) {
 	press.addEventListener("click", () => void list.open());
 	mountKeeping(byId("keeping"), keeper, {
 		projects: () => void list.open(),
-		saveFiles: (project) => void saveFiles(keeper, project, "tiepoint-project")
+		saveFiles: (project) => void saveFiles(keeper, project, "tiepoint-project"),
+		saveProject
 	});
 	keeper.keeping.watch(["works", "project"], ([works, project]) => {
 		anew.disabled = project === "";
@@ -17276,7 +17488,7 @@ async function startParts(opening, serveDrop) {
 		watch: (changed) => modes.watch(["mode"], changed)
 	});
 	keeping = keeper;
-	mountProjects(keeper);
+	mountProjects(keeper, (near) => modes.state.mode === "pair" ? void pair.save(near) : void withBlock((block) => block.save(near)));
 	sayOpening(keeper, pair);
 	await keeper.start(opening, () => {
 		pair.store.dispatch({
@@ -17327,4 +17539,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, smooth, sortRasters, startProgram, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, EPIPOLAR, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, sidewaysNote, smooth, sortRasters, startProgram, swatch, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

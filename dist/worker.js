@@ -2226,7 +2226,7 @@
 		return typeof error?.kind === "string" ? message("error", {
 			...error,
 			kind: error.kind
-		}) : thrown.message;
+		}) : thrown.message || thrown.name;
 	}
 	// www/block/engine/layout.ts
 	var MOST_STEPS = 2e8;

@@ -42,7 +42,8 @@ async function keeping(slow = Promise.resolve()) {
     projects: async () => [...kept.values()].map(({ row }) => row),
     project: async (/** @type {string} */ id) => kept.get(id)?.row,
     parts: async (/** @type {string} */ id) => new Map(kept.get(id)?.parts),
-    edit: async (/** @type {string} */ id, /** @type {any} */ changed) => Object.assign(kept.get(id)?.row, changed),
+    watch: () => undefined,
+    claim: async (/** @type {string} */ id, /** @type {string} */ writer) => Object.assign(kept.get(id)?.row, { writer }),
     write: async (/** @type {any} */ row, /** @type {any} */ { put, drop }) => {
       const parts = kept.get(row.id)?.parts ?? new Map();
       for (const [part, { value }] of put) parts.set(part, value);

@@ -133,7 +133,7 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
     watch: (changed) => modes.watch(['mode'], changed),
   });
   keeping = keeper;
-  mountProjects(keeper);
+  mountProjects(keeper, (near) => (modes.state.mode === 'pair' ? void pair.save(near) : void withBlock((block) => block.save(near))));
   sayOpening(keeper, pair);
   await keeper.start(opening, () => {
     pair.store.dispatch({ type: 'ready', catalogue });

@@ -70,6 +70,8 @@ export interface Block {
   sample: () => void;
   /** Opens a block that was saved. */
   open: (file: File) => Promise<void>;
+  /** Saves the block as a project file. `near`: the `data-testid` of the button, beside which a refusal is said. */
+  save: (near: string) => Promise<void>;
 }
 
 /** What of the page is no part of the block. */
@@ -223,6 +225,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
     give: (given, masks) => void files.give(given, masks),
     sample,
     open: (file) => files.open(file),
+    save: (near) => saveAs(store, engine, 'project', near),
   };
 }
 

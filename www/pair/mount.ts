@@ -60,6 +60,8 @@ export interface Pair {
   taker: Taker;
   /** Opens a pair that was saved. */
   open: (file: File) => Promise<void>;
+  /** Saves the pair as a project file. `near`: the `data-testid` of the button, beside which a refusal is said. */
+  save: (near: string) => Promise<void>;
 }
 
 /** What the page does for the pair outside it. */
@@ -237,5 +239,6 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
     begin: () => files.begin(),
     taker: takerOf(store, view, files),
     open: (file) => files.takeProject(file),
+    save: (near) => saving(near, () => exportProject(store, engine)),
   };
 }

@@ -18,7 +18,7 @@ import { Journal } from './journal';
 import { MASK_SIDE } from './beside';
 import { freshId } from './ids';
 import { standingFor } from '../state/project';
-import { projectText, readProject } from './project';
+import { knowDigest, projectText, readProject } from './project';
 import { say } from '../../shared/text/words';
 
 const GIVEN = 'pair';
@@ -114,6 +114,10 @@ export class KeptPairs implements Keepable {
     const images = bothSides((side) => orNull(kept.images[side], ({ name, file }) => ({ id: freshId(), name, source: sourceFrom(parts, file) })));
     const { history, draft, shelf } = this.journal.read(parts);
     const result = await this.result(parts, kept);
+    SIDES.forEach((side, place) => {
+      const image = images[side];
+      if (image !== null) knowDigest(image.source, result?.project.images[place]?.content ?? null);
+    });
     const masks = await this.masks(kept, parts, result?.masks ?? { left: null, right: null });
     const opened = { ...result?.standing };
     await Promise.all(

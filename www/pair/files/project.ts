@@ -33,6 +33,11 @@ export async function projectText(state: State, engine: Engine): Promise<string 
 /** Digests that were made: files are large. */
 const digests = new WeakMap<Blob, string>();
 
+/** The digest of a file that a project file already says: the file itself may no longer be readable when the next one is written. */
+export function knowDigest(source: ImageSource, digest: string | null): void {
+  if (source.kind === 'file' && digest !== null) digests.set(source.file, digest);
+}
+
 /** The digest of an image's file; null for an image that was simulated. */
 function contentOf({ images }: State, engine: Engine, side: Side): Promise<string | null> {
   return digestOf(images[side]?.source, engine);

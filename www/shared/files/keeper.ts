@@ -1,10 +1,11 @@
 /** Keeps the project of this tab in the browser's storage as it changes, and shows it again. */
-import { isKept, makeKeeping } from '../state/keeping';
+import { endsWhenWritten, isKept, makeKeeping } from '../state/keeping';
+import type { Trouble } from '../state/keeping';
 import { titleOf } from '../text/project';
 import { Claims } from './claim';
 import type { Claim } from './claim';
 import { type Database, FORM, KeepError } from './database';
-import type { ProjectRow } from './database';
+import type { KeepFailure, ProjectRow } from './database';
 import { randomName } from './keepable';
 import type { Keepable } from './keepable';
 import { Leaving } from './leaving';
@@ -54,6 +55,7 @@ export class Keeper {
     let show = () => {};
     try {
       this.database = await opening;
+      this.database.watch(() => this.closed());
       this.keeping.dispatch({ works: true });
       show = await this.first(this.database);
     } catch (error) {
@@ -173,6 +175,7 @@ export class Keeper {
     const takesName = mode === 'block';
     const row = { id: randomName(), form: FORM, name: takesName ? name : null, images: part.images(), mode, changed: Date.now(), writer: this.tab };
     try {
+      if (this.database !== null) await this.written.ensure(this.database, project, this.tab);
       await this.database?.separate(project, row, parts);
     } catch (error) {
       this.failed(error, project);
@@ -194,7 +197,7 @@ export class Keeper {
   }
 
   async rename(id: string, name: string | null): Promise<void> {
-    await this.database?.edit(id, { name });
+    await this.database?.rename(id, name);
     if (id === this.keeping.state.project) this.keeping.dispatch({ name });
   }
 
@@ -234,6 +237,12 @@ export class Keeper {
     return this.saving;
   }
 
+  /** The storage was closed under the page, and may have been cleared: what is on the page must stand there again. */
+  private closed(): void {
+    this.written.doubt(this.tab);
+    this.later();
+  }
+
   private later(): void {
     this.timer ??= window.setTimeout(() => void this.flush(), GATHER_MS);
   }
@@ -265,12 +274,14 @@ export class Keeper {
       this.keeping.dispatch({ trouble: read });
       return null;
     }
-    const { row, title, parts, claim, shows } = read;
+    const { row, title, parts, claim, unnamed, shows } = read;
+    const trouble = (kind: Trouble['kind']): Trouble => ({ kind, reason: unnamed?.message ?? '', project: { id, title } });
+    const unwritten = unnamed === null ? null : trouble(unnamed.kind === 'full' ? 'no-room' : 'failed');
     return () => {
       if (this.claim !== claim) this.claim?.release();
       this.claim = claim;
-      this.written.opened(parts);
-      this.keeping.dispatch({ project: id, name: row.name, trouble: claim === null ? { kind: 'reading', reason: '', project: { id, title } } : null });
+      this.written.opened(parts, unnamed === null ? null : row.writer);
+      this.keeping.dispatch({ project: id, name: row.name, trouble: claim === null ? trouble('reading') : unwritten });
       rememberProject(id);
       for (const show of shows) show();
       this.mode.show(row.mode);
@@ -311,12 +322,14 @@ export class Keeper {
     if (database === null || project === '' || trouble?.kind === 'taken' || trouble?.kind === 'reading') return;
     const { put, drop } = this.written.changes();
     const mode = this.mode.now();
-    if (put.size === 0 && drop.length === 0 && (this.written.isNew || mode === this.written.mode)) return;
+    const isSame = put.size === 0 && drop.length === 0 && (this.written.isNew || mode === this.written.mode);
+    if (isSame && !this.written.isInDoubt) return;
     const row: ProjectRow = { id: project, form: FORM, name, images: this.images(), mode, changed: Date.now(), writer: this.tab };
     try {
-      await this.written.write(database, row, put, drop);
+      await this.written.ensure(database, project, this.tab);
+      if (!isSame) await this.written.write(database, row, put, drop);
       this.written.mode = mode;
-      if (trouble?.kind === 'full' || trouble?.kind === 'failed') keeping.dispatch({ trouble: null });
+      if (endsWhenWritten(keeping.state)) keeping.dispatch({ trouble: null });
     } catch (error) {
       this.failed(error, project);
     }
@@ -329,12 +342,20 @@ export class Keeper {
       return;
     }
     if (kind === 'gone') {
-      // The browser's storage was cleared: what is on the page is kept as if it were new.
-      this.written.begin();
+      // The browser's storage was cleared, and with it what it remembered: what is on the page is kept as if it were new.
+      this.written.gone();
+      rememberProject(id);
       this.later();
       return;
     }
-    const project = { id, title: this.title() };
-    this.keeping.dispatch({ trouble: { kind: kind === 'full' ? 'full' : 'failed', reason: messageOf(error), project } });
+    this.keeping.dispatch({ trouble: { kind: this.unkept(kind), reason: messageOf(error), project: { id, title: this.title() } } });
+  }
+
+  /** What is said where something could not be written. */
+  private unkept(failure: KeepFailure): Trouble['kind'] {
+    if (this.written.isGone) return 'cleared';
+    if (failure === 'closed') return 'closed';
+    if (failure !== 'full') return 'failed';
+    return this.written.isInDoubt && !this.written.isChanged() ? 'no-room' : 'full';
   }
 }

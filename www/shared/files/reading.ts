@@ -4,7 +4,7 @@ import { messageOf } from '../text/messages';
 import { titleOf } from '../text/project';
 import { say } from '../text/words';
 import type { Claim, Claims } from './claim';
-import { type Database, FORM } from './database';
+import { type Database, FORM, KeepError } from './database';
 import type { ProjectRow } from './database';
 import type { Keepable } from './keepable';
 
@@ -20,6 +20,8 @@ export interface ReadProject {
   parts: ReadonlyMap<string, unknown>;
   /** Null where it is only looked at. */
   claim: Claim | null;
+  /** Why the storage does not name this tab as its writer, where it could not be written there; then it still names the one of the row. */
+  unnamed: KeepError | null;
   /** What shows it, each part of the page by itself. */
   shows: readonly (() => void)[];
 }
@@ -52,13 +54,24 @@ export class ProjectReader {
     try {
       if (how === 'steal') await new Promise((resolve) => setTimeout(resolve, HANDOVER_MS));
       // From now on what another tab would still write is refused.
-      if (!looks) await database.edit(id, { writer: this.tab });
+      const unnamed = looks ? null : await this.named(database, id);
       const parts = await database.parts(id);
       const shows = await Promise.all(this.keepables.map((keepable) => keepable.read(parts)));
-      return { row, title, parts, claim, shows };
+      return { row, title, parts, claim, unnamed, shows };
     } catch (error) {
       if (claim !== null && held() !== claim) claim.release();
       return refused('unreadable', messageOf(error));
+    }
+  }
+
+  /** Names this tab as the writer. A full storage still gives what it has: what could not be written is no reason not to show it. */
+  private async named(database: Database, id: string): Promise<KeepError | null> {
+    try {
+      await database.claim(id, this.tab);
+      return null;
+    } catch (error) {
+      if (error instanceof KeepError && (error.kind === 'full' || error.kind === 'other')) return error;
+      throw error;
     }
   }
 }

@@ -13,19 +13,49 @@ export class Written {
   mode = '';
   /** Nothing of the project is in the storage yet. */
   isNew = true;
+  /** It was in the storage, was deleted there by others, and is not whole there again. */
+  isGone = false;
+  /** It is to be made sure of that the project is there and names this tab as its writer, in place of this one. */
+  private former: string | null = null;
 
   constructor(private readonly keepables: readonly Keepable[]) {}
 
   /** Of a project of which nothing is kept yet. */
   begin(): void {
     this.isNew = true;
+    this.isGone = false;
+    this.former = null;
     this.parts = new Map();
   }
 
-  /** Of a project that was read. */
-  opened(parts: ReadonlyMap<string, unknown>): void {
+  /** Of a project that was read. `former`: the writer that the storage still names, in place of this tab. */
+  opened(parts: ReadonlyMap<string, unknown>, former: string | null): void {
     this.isNew = false;
+    this.isGone = false;
+    this.former = former;
     this.parts = new Map(parts);
+  }
+
+  /** Of a project that is no longer in the storage: all of it is to be written. */
+  gone(): void {
+    this.begin();
+    this.isGone = true;
+  }
+
+  /** The storage was closed, and may be empty. `writer`: this tab. */
+  doubt(writer: string): void {
+    if (!this.isNew) this.former ??= writer;
+  }
+
+  get isInDoubt(): boolean {
+    return this.former !== null;
+  }
+
+  /** Makes sure that the project is in the storage, and that this tab may write it. @throws KeepError where it is not so */
+  async ensure(database: Database, id: string, writer: string): Promise<void> {
+    if (this.former === null) return;
+    await database.claim(id, writer, this.former);
+    this.former = null;
   }
 
   /** These are no longer in the project. */
@@ -63,8 +93,10 @@ export class Written {
       const needed = new Map([...rest].filter(([, { again }]) => again !== true));
       if (!(error instanceof KeepError) || error.kind !== 'full' || needed.size === rest.size) throw error;
       await write(needed, drop);
+      this.isGone = false;
       throw error;
     }
+    this.isGone = false;
   }
 }
 

@@ -7,6 +7,8 @@ import { say } from '../text/words';
 export interface KeepingActions {
   projects: () => void;
   saveFiles: (project: string) => void;
+  /** Saves what is on the page as a project file. `near`: the `data-testid` of the button, beside which a refusal is said. */
+  saveProject: (near: string) => void;
 }
 
 export function mountKeeping(host: HTMLElement, keeper: Keeper, actions: KeepingActions): void {
@@ -24,10 +26,16 @@ function textOf({ kind, reason, project }: Trouble): string {
   switch (kind) {
     case 'absent':
       return say('this-browser-keeps-nothing-of', { reason });
+    case 'no-room':
+      return say('the-storage-is-full-and-is', { title });
     case 'full':
       return say('the-storage-of-this-browser');
     case 'failed':
       return say('the-last-changes-could-not', { reason });
+    case 'closed':
+      return say('the-browser-has-closed-its', { reason });
+    case 'cleared':
+      return say('what-this-browser-had-kept', { title, reason });
     case 'elsewhere':
       return say('is-open-in-another-tab', { title });
     case 'reading':
@@ -41,13 +49,14 @@ function textOf({ kind, reason, project }: Trouble): string {
   }
 }
 
-function buttonsFor({ kind, project }: Trouble, keeper: Keeper, { projects, saveFiles }: KeepingActions): HTMLButtonElement[] {
+function buttonsFor({ kind, project }: Trouble, keeper: Keeper, { projects, saveFiles, saveProject }: KeepingActions): HTMLButtonElement[] {
   const id = project?.id ?? '';
   const take = () => void keeper.open(id, 'steal');
   const look = () => void keeper.open(id, 'look');
   const asNew = () => void keeper.keepAsNew();
   const list = button(say('projects'), 'keeping-projects', projects);
   const close = button(say('close-2'), 'keeping-close', () => keeper.dismiss());
+  const asFile = button(say('save-the-project'), 'keeping-save-project', () => saveProject('keeping-save-project'));
   switch (kind) {
     case 'elsewhere':
       return [button(say('look-at-it'), 'keeping-look', look), button(say('take-it-over'), 'keeping-take', take), close];
@@ -63,8 +72,13 @@ function buttonsFor({ kind, project }: Trouble, keeper: Keeper, { projects, save
       return [button(say('save-its-files'), 'keeping-save', () => saveFiles(id)), list, close];
     case 'broke-off':
       return [button(say('open-it'), 'keeping-open', () => void keeper.open(id)), button(say('save-its-files'), 'keeping-save', () => saveFiles(id)), close];
+    case 'no-room':
     case 'full':
-      return [list, close];
+      return [list, asFile, close];
+    case 'failed':
+    case 'closed':
+    case 'cleared':
+      return [asFile, close];
     default:
       return [close];
   }

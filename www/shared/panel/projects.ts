@@ -8,6 +8,7 @@ import { LANGUAGE } from '../text/language';
 import { sizeText, titleOf } from '../text/project';
 import { button, byId, fill, h } from './dom';
 import { mountKeeping } from './keeping';
+import type { KeepingActions } from './keeping';
 import { say } from '../text/words';
 import { messageOf } from '../text/messages';
 
@@ -15,8 +16,8 @@ type Row = ProjectRow & { bytes: number };
 
 const DATE = new Intl.DateTimeFormat(LANGUAGE === 'en' ? 'en-GB' : `${LANGUAGE}-u-nu-latn`, { dateStyle: 'medium', timeStyle: 'short' });
 
-/** The buttons of the bar, the dialog, and the line that says what stands in the way of keeping. */
-export function mountProjects(keeper: Keeper): void {
+/** The buttons of the bar, the dialog, and the line that says what stands in the way of keeping, which saves what is on the page by `saveProject`. */
+export function mountProjects(keeper: Keeper, saveProject: KeepingActions['saveProject']): void {
   const anew = byId('anew') as HTMLButtonElement;
   const press = byId('projects') as HTMLButtonElement;
   const list = new ProjectList(keeper);
@@ -28,6 +29,7 @@ export function mountProjects(keeper: Keeper): void {
   mountKeeping(byId('keeping'), keeper, {
     projects: () => void list.open(),
     saveFiles: (project) => void saveFiles(keeper, project, 'tiepoint-project'),
+    saveProject,
   });
   keeper.keeping.watch(['works', 'project'], ([works, project]) => {
     anew.disabled = project === '';

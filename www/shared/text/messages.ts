@@ -15,9 +15,9 @@ export function message(family: Written[0], of: Written[1], attribute: string | 
   return asClauses(WITH_FIGURES.test(family) ? grouped(withMinus(text)) : text);
 }
 
-/** What is said of whatever was thrown. Errors of the crate come with their figures. */
+/** What is said of whatever was thrown. Errors of the crate come with their figures; some of the browser have a name alone. */
 export function messageOf(thrown: unknown): string {
   if (!(thrown instanceof Error)) return String(thrown);
   const error = 'error' in thrown && LANGUAGE !== 'en' ? (thrown.error as { kind?: unknown } | null) : null;
-  return typeof error?.kind === 'string' ? message('error', { ...error, kind: error.kind }) : thrown.message;
+  return typeof error?.kind === 'string' ? message('error', { ...error, kind: error.kind }) : thrown.message || thrown.name;
 }

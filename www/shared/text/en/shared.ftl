@@ -89,6 +89,9 @@ the-storage-does-not-answer = the storage does not answer
 another-tab-has-taken-the = another tab has taken the project over
 a-later-version-of-this = a later version of this page wrote the project
 the-project-is-no-longer = the project is no longer in the storage
+the-storage-is-full = the storage of this browser is full, and has no room for this change: delete projects that you no longer need
+the-copy-needs-about = the copy needs about { $size }, which the storage of this browser has no room for: delete projects that you no longer need
+the-storage-failed = the storage of this browser failed ({ $name })
 
 ## files/keeper and files/reading
 
@@ -167,7 +170,10 @@ makes-the-edit-again = makes the edit again
 
 this-browser-keeps-nothing-of = This browser keeps nothing of the page (a private window, or its storage is blocked): save the project as a file before you leave. { $reason }
 the-storage-of-this-browser = The storage of this browser is full: the last changes are not kept. What was kept before is whole. Delete projects that you no longer need, or save this one as a file.
+the-storage-is-full-and-is = The storage of this browser is full. { $title } is shown as it was kept last: changes that found no room are not in it, and new ones are not kept. Delete projects that you no longer need, or save this one as a file.
 the-last-changes-could-not = The last changes could not be kept: { $reason }. What was kept before is whole. Save the project as a file before you leave.
+the-browser-has-closed-its = The browser has closed its storage, and it cannot be opened again: { $reason }. What was kept may be gone. Save the project as a file before you leave.
+what-this-browser-had-kept = What this browser had kept was deleted, and { $title } could not be kept again: { $reason }. Save the project as a file before you leave.
 is-open-in-another-tab = { $title } is open in another tab. This tab has a project of its own. You can look at what is kept of it, or go on with it here.
 is-open-in-another-tab-this = { $title } is open in another tab. This is what that tab has kept so far; what is changed here is not kept.
 another-tab-has-taken-over = Another tab has taken { $title } over. What is changed here is no longer kept.
