@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, EPIPOLAR, Holder, IMAGE_FILE, Journal, Layers, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, sidewaysNote, smooth, sortRasters, swatch, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, EPIPOLAR, Holder, IMAGE_FILE, Journal, Layers, MASK_SIDE, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf as maskOf$1, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, sidewaysNote, smooth, sortRasters, swatch, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { asFigure, asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -1634,7 +1634,7 @@ var BlockPlacing = class {
 			this.store.dispatch({
 				type: "onGround",
 				view: read.view,
-				edits: read.edits,
+				edits: read.steps.flat(),
 				ground: {
 					key,
 					before,
@@ -1664,7 +1664,7 @@ var BlockPlacing = class {
 		this.store.dispatch({
 			type: "onGround",
 			view: read.view,
-			edits: read.edits,
+			edits: read.steps.flat(),
 			ground: null
 		});
 	}
@@ -1736,389 +1736,6 @@ function calibrationsOf({ verdict, cameras }, isSimulated, at) {
 		}];
 	});
 }
-// www/block/state/lacking.ts
-var NOT_HELD = "application/x-not-held";
-function standIn(name) {
-	return new File([], name, { type: NOT_HELD });
-}
-function isLacking({ file }) {
-	return file.type === NOT_HELD;
-}
-function lackingText({ shown, options, placing }) {
-	const { masks, geoid } = options;
-	const files = [...masks, ...geoid === null ? [] : [geoid]].filter(isLacking);
-	const lies = shown !== null && shown.ground === null && shown.view.orthophoto?.kind === "linked" && placing.orthophoto === null;
-	return [files.length === 0 ? "" : say("a-run-needs-files", { files: files.length }), lies ? say("a-run-needs-its-orthophoto") : ""].filter((part) => part !== "").join(" ");
-}
-// www/block/state/given.ts
-var PARTNER_MISSING = { marks: say("image-measurements-need-their-ground") };
-function problemsOf(state) {
-	const { files, options } = state;
-	const { settings, cameras, control, marks, positions, masks, geoid } = options;
-	return problems(files, settings?.placing ?? null, cameras, control, marks, positions, masks, geoid, collectedOf(state), purposeOf(state) === "block");
-}
-function firstProblem(state) {
-	return Object.values(problemsOf(state))[0] ?? null;
-}
-function isUnread(error) {
-	return error instanceof Error && "error" in error && error.error?.refusal?.kind === "crs_text";
-}
-var problems = remember((files, placing, cameras, control, marks, positions, masks, geoid, { run }, onOrthophoto) => {
-	if (placing === null) return {};
-	const names = files.map(({ name }) => name);
-	const found = {};
-	const { crs } = placing;
-	const look = (given, name, read) => {
-		try {
-			read();
-			return true;
-		} catch (error) {
-			found[given] = `${name === "" ? "" : `${name}: `}${isUnread(error) ? say("system-cannot-be-read") : messageOf(error)}`;
-			return false;
-		}
-	};
-	const isRead = crs === null || look("crs", "placing.crs", () => system_positions(crs, []));
-	if (cameras !== null) look("cameras", cameras.name, () => check_cameras(cameras.text, names));
-	const pointsRead = control !== null && look("control", control.name, () => parse_ground_control_points(control.text));
-	const marksRead = marks === null || look("marks", marks.name, () => parse_image_measurements(marks.text));
-	if (isRead && pointsRead && marksRead && run !== null) look("marks", marks?.name ?? "", () => check_control(run.points, run.marks, names, placing, onOrthophoto));
-	if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? "";
-	if (isRead && positions !== null) look("positions", positions.name, () => positions_of_images(positions.text, names, placing));
-	const lacking = masks.filter(isLacking);
-	look("masks", "", () => masks_of_images(names, masks.map(({ name }) => name)));
-	if (lacking.length > 0) found.masks = say("masks-are-not-in-the-file", {
-		masks: lacking.length,
-		name: lacking[0]?.name ?? ""
-	});
-	if (geoid !== null && isLacking(geoid)) found.geoid = say("geoid-is-not-in-the-file", { name: geoid.name });
-	else if (geoid !== null) look("geoid", "", () => check_geoid(geoid.name, placing));
-	return found;
-});
-// www/block/engine/engine.ts
-var PATIENCE_MS = 80;
-var EXPORT_PATIENCE_MS = 3e3;
-var BlockEngine = class {
-	store;
-	pool = new WorkerPool();
-	block = new WorkerClient("block");
-	kept = new Map();
-	recorded = () => void 0;
-	port = null;
-	told = null;
-	reading = null;
-	heldIn = -1;
-	spare = null;
-	regaining = null;
-	writing = null;
-	constructor(store) {
-		this.store = store;
-	}
-	async run() {
-		const { state } = this.store;
-		const { settings } = state.options;
-		if (settings === null || state.running.kind === "yes") return;
-		const problem = firstProblem(state);
-		if (problem !== null) {
-			this.store.dispatch({
-				type: "notice",
-				notice: {
-					kind: "problem",
-					text: say("not-run", { problem: sentence(problem) })
-				}
-			});
-			return;
-		}
-		const key = wantedKey(state);
-		const { files, truth } = state;
-		const started = performance.now();
-		this.store.dispatch({
-			type: "started",
-			key
-		});
-		const channel = new MessageChannel();
-		this.listen(channel.port1, files);
-		try {
-			const input = {
-				files,
-				options: {
-					...runOptions({
-						...state.options,
-						...givenToRun(state)
-					}, settings),
-					onOrthophoto: purposeOf(state) === "block"
-				},
-				masks: state.options.masks,
-				geoid: state.options.geoid,
-				truth,
-				workers: this.pool.size,
-				kept: this.kept,
-				port: channel.port2
-			};
-			const view = await this.block.call("blockRun", input, [channel.port2]);
-			this.heldIn = this.block.generation;
-			this.spare = null;
-			rememberCalibrations(calibrationsOf(view, truth !== null, Date.now()));
-			this.store.dispatch({
-				type: "done",
-				key,
-				view,
-				files,
-				seconds: (performance.now() - started) / 1e3
-			});
-		} catch (error) {
-			this.pool.cancel();
-			const stopped = this.port !== channel.port1;
-			this.store.dispatch({
-				type: "ended",
-				failure: stopped || error instanceof Cancelled ? null : reasonOf$1(error)
-			});
-		} finally {
-			channel.port1.close();
-			if (this.port === channel.port1) this.port = null;
-			if (this.told === channel.port1) this.told = null;
-		}
-	}
-	cancel() {
-		const { port, writing } = this;
-		this.port = null;
-		this.writing = null;
-		this.pool.cancel();
-		port?.postMessage({ kind: "stop" });
-		writing?.postMessage("stop");
-		if (port === null && writing === null) return;
-		window.setTimeout(() => {
-			if (isBusy(this.store.state) && this.port === null && this.writing === null) this.block.cancel();
-		}, port === null ? EXPORT_PATIENCE_MS : PATIENCE_MS);
-	}
-	leave() {
-		if (this.told === null) return;
-		this.told.onmessage = null;
-		this.port = null;
-		this.pool.cancel();
-		this.block.cancel();
-	}
-	get records() {
-		return this.kept;
-	}
-	takeRecords(records) {
-		this.kept.clear();
-		for (const [key, record] of records) this.kept.set(key, record);
-	}
-	watchRecords(recorded) {
-		this.recorded = recorded;
-	}
-	async project() {
-		await this.regained();
-		const { port1, port2 } = new MessageChannel();
-		try {
-			const { bytes } = await this.block.call("blockExport", {
-				kind: "project",
-				name: "block",
-				stop: port2
-			}, [port2]);
-			return new Blob([bytes]);
-		} finally {
-			port1.close();
-		}
-	}
-	async read(bytes, truth = null) {
-		this.reading?.cancel();
-		const worker = new WorkerClient("block");
-		this.reading = worker;
-		const opened = await worker.call("blockOpen", {
-			bytes,
-			truth
-		}, [bytes.buffer]);
-		const hold = () => {
-			this.block.cancel();
-			this.block = worker;
-			this.reading = null;
-			this.heldIn = worker.generation;
-			this.spare = null;
-		};
-		const ofShown = async () => {
-			await this.regained();
-			return this.block.call("blockPlaces", null);
-		};
-		const placesAgain = async (before) => worker.call("blockPlacesAgain", { before: before ?? await ofShown() });
-		return {
-			...opened,
-			hold,
-			places: () => worker.call("blockPlaces", null),
-			placesAgain
-		};
-	}
-	async edited(edits) {
-		await this.regained();
-		if (this.port !== null) throw new Cancelled("cancelled");
-		return this.block.call("blockEdited", {
-			edits,
-			truth: this.store.state.truth
-		});
-	}
-	keepSpare(project) {
-		this.spare = project;
-	}
-	async regained() {
-		const { spare } = this;
-		if (this.heldIn === this.block.generation || spare === null) return;
-		this.regaining ??= this.regain(spare).finally(() => {
-			this.regaining = null;
-		});
-		await this.regaining;
-	}
-	async regain(spare) {
-		const { block } = this;
-		const bytes = new Uint8Array(await spare.arrayBuffer());
-		await block.call("blockOpen", {
-			bytes,
-			truth: null
-		}, [bytes.buffer]);
-		if (block !== this.block || this.port !== null) return;
-		this.heldIn = block.generation;
-		const { shown, truth } = this.store.state;
-		if (shown !== null) await this.block.call("blockEdited", {
-			edits: shown.edits,
-			truth
-		});
-	}
-	async imagePoints(image) {
-		await this.regained();
-		return this.block.call("blockImagePoints", { image });
-	}
-	async observations(images) {
-		await this.regained();
-		return this.block.call("blockObservations", { images });
-	}
-	async ground() {
-		await this.regained();
-		return this.block.call("blockGround", null);
-	}
-	async pointDetail(point) {
-		await this.regained();
-		return this.block.call("blockPoint", { point });
-	}
-	async epipolarLine(from, x, y, to) {
-		await this.regained();
-		return this.block.call("blockLine", {
-			from,
-			x,
-			y,
-			to
-		});
-	}
-	grey(file) {
-		return this.pool.call("blockGrey", { file });
-	}
-	window(file, at, turn) {
-		return this.pool.call("blockWindow", {
-			file,
-			at,
-			turn
-		});
-	}
-	async matched(left, file, near, turn) {
-		const by = await this.pool.call("blockFit", {
-			left,
-			right: await this.window(file, near, turn)
-		});
-		if (by === null) return null;
-		const [ax, ay, bx, by_] = turn;
-		return [near[0] + by[0] * ax + by[1] * bx, near[1] + by[0] * ay + by[1] * by_];
-	}
-	async export(kind, name) {
-		const { port1, port2 } = new MessageChannel();
-		this.writing = port1;
-		try {
-			await this.regained();
-			return await this.block.call("blockExport", {
-				kind,
-				name,
-				stop: port2
-			}, [port2]);
-		} catch (error) {
-			throw this.writing === port1 ? error : new Cancelled("cancelled");
-		} finally {
-			if (this.writing === port1) this.writing = null;
-			port1.close();
-		}
-	}
-	async photograph(flight, done) {
-		const truth = await this.pool.call("blockPlan", flight);
-		let count = 0;
-		return {
-			files: await Promise.all(truth.images.map(async ({ name }, index) => {
-				const bytes = await this.pool.call("blockPhoto", {
-					flight,
-					index
-				});
-				count += 1;
-				done(count, truth.images.length);
-				return {
-					name,
-					file: new Blob([bytes], { type: "image/png" })
-				};
-			})),
-			truth
-		};
-	}
-	listen(port, files) {
-		this.port = port;
-		this.told = port;
-		port.onmessage = (event) => {
-			const message = event.data;
-			if (message.kind === "keep") {
-				this.kept.set(message.key, message.record);
-				this.recorded();
-			} else if (message.kind === "job") this.perform(port, message.id, message.job);
-			else if (message.kind === "part") this.store.dispatch({
-				type: "part",
-				view: message.view,
-				files
-			});
-			else if (this.port === port) this.store.dispatch({
-				type: "step",
-				step: message.step
-			});
-		};
-	}
-	async perform(port, id, job) {
-		const tell = (message, transfer = []) => port.postMessage(message, transfer);
-		try {
-			if (this.port !== port) return;
-			const answer = await this.pool.call("blockJob", job, buffersOf(job));
-			tell({
-				kind: "answer",
-				id,
-				answer
-			}, "made" in answer ? [answer.made.buffer] : []);
-		} catch (error) {
-			if (!(error instanceof Cancelled)) tell({
-				kind: "broke",
-				id,
-				message: reasonOf$1(error)
-			});
-		}
-	}
-};
-function runOptions({ gps, cameras, control, marks, positions }, settings) {
-	return {
-		settings,
-		gps,
-		...cameras === null ? {} : { cameras },
-		...control === null || marks === null ? {} : { control: {
-			points: control.text,
-			marks: marks.text
-		} },
-		...positions === null ? {} : { positions: positions.text }
-	};
-}
-function buffersOf({ inputs }) {
-	return [...new Set(inputs.map(({ buffer }) => buffer))];
-}
-function reasonOf$1(error) {
-	return breakdownOf(error) ?? messageOf(error);
-}
 // www/block/state/edits.ts
 function keyOfPoint(point) {
 	const [[kind, number] = []] = Object.entries(point);
@@ -2165,6 +1782,15 @@ function choiceAfterEdit(choice, before, after) {
 		kind: "points",
 		points: Uint32Array.from(moved).sort()
 	};
+}
+function choiceOfSamePoints(choice, before, after) {
+	const points = pointsOf(choice);
+	const nameOf = ({ surveyed }, number) => surveyed.find(({ control }) => control === number)?.name;
+	const isSame = (point) => {
+		const source = sourceOf$1(before, point);
+		return source !== null && (!("ground_control" in source) || nameOf(before, source.ground_control) === nameOf(after, source.ground_control));
+	};
+	return points.length > 0 && points.every(isSame) ? choiceAfterEdit(choice, before, after) : null;
 }
 var keyOfObservation = ({ point, image }) => `${keyOfPoint(point)} ${String(image)}`;
 var standingOf = remember((edits) => {
@@ -3318,6 +2944,390 @@ function keptOf({ history, left, lost: ofAll, places, aside }, marks, names) {
 		said: said.filter((part) => part !== "").join(" ")
 	};
 }
+// www/block/state/lacking.ts
+var NOT_HELD = "application/x-not-held";
+function standIn(name) {
+	return new File([], name, { type: NOT_HELD });
+}
+function isLacking({ file }) {
+	return file.type === NOT_HELD;
+}
+function lackingText({ shown, options, placing }) {
+	const { masks, geoid } = options;
+	const files = [...masks, ...geoid === null ? [] : [geoid]].filter(isLacking);
+	const lies = shown !== null && shown.ground === null && shown.view.orthophoto?.kind === "linked" && placing.orthophoto === null;
+	return [files.length === 0 ? "" : say("a-run-needs-files", { files: files.length }), lies ? say("a-run-needs-its-orthophoto") : ""].filter((part) => part !== "").join(" ");
+}
+// www/block/state/given.ts
+var PARTNER_MISSING = { marks: say("image-measurements-need-their-ground") };
+function problemsOf(state) {
+	const { files, options } = state;
+	const { settings, cameras, control, marks, positions, masks, geoid } = options;
+	return problems(files, settings?.placing ?? null, cameras, control, marks, positions, masks, geoid, collectedOf(state), purposeOf(state) === "block");
+}
+function firstProblem(state) {
+	return Object.values(problemsOf(state))[0] ?? null;
+}
+function isUnread(error) {
+	return error instanceof Error && "error" in error && error.error?.refusal?.kind === "crs_text";
+}
+var problems = remember((files, placing, cameras, control, marks, positions, masks, geoid, { run }, onOrthophoto) => {
+	if (placing === null) return {};
+	const names = files.map(({ name }) => name);
+	const found = {};
+	const { crs } = placing;
+	const look = (given, name, read) => {
+		try {
+			read();
+			return true;
+		} catch (error) {
+			found[given] = `${name === "" ? "" : `${name}: `}${isUnread(error) ? say("system-cannot-be-read") : messageOf(error)}`;
+			return false;
+		}
+	};
+	const isRead = crs === null || look("crs", "placing.crs", () => system_positions(crs, []));
+	if (cameras !== null) look("cameras", cameras.name, () => check_cameras(cameras.text, names));
+	const pointsRead = control !== null && look("control", control.name, () => parse_ground_control_points(control.text));
+	const marksRead = marks === null || look("marks", marks.name, () => parse_image_measurements(marks.text));
+	if (isRead && pointsRead && marksRead && run !== null) look("marks", marks?.name ?? "", () => check_control(run.points, run.marks, names, placing, onOrthophoto));
+	if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? "";
+	if (isRead && positions !== null) look("positions", positions.name, () => positions_of_images(positions.text, names, placing));
+	const lacking = masks.filter(isLacking);
+	look("masks", "", () => masks_of_images(names, masks.map(({ name }) => name)));
+	if (lacking.length > 0) found.masks = say("masks-are-not-in-the-file", {
+		masks: lacking.length,
+		name: lacking[0]?.name ?? ""
+	});
+	if (geoid !== null && isLacking(geoid)) found.geoid = say("geoid-is-not-in-the-file", { name: geoid.name });
+	else if (geoid !== null) look("geoid", "", () => check_geoid(geoid.name, placing));
+	return found;
+});
+// www/block/engine/engine.ts
+var PATIENCE_MS = 80;
+var EXPORT_PATIENCE_MS = 3e3;
+var BlockEngine = class {
+	store;
+	pool = new WorkerPool();
+	block = new WorkerClient("block");
+	kept = new Map();
+	recorded = () => void 0;
+	port = null;
+	told = null;
+	reading = null;
+	heldIn = -1;
+	spare = null;
+	regaining = null;
+	writing = null;
+	constructor(store) {
+		this.store = store;
+	}
+	async run() {
+		const { state } = this.store;
+		const { settings } = state.options;
+		if (settings === null || state.running.kind === "yes") return;
+		const problem = firstProblem(state);
+		if (problem !== null) {
+			this.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "problem",
+					text: say("not-run", { problem: sentence(problem) })
+				}
+			});
+			return;
+		}
+		const key = wantedKey(state);
+		const { files, truth } = state;
+		const started = performance.now();
+		this.store.dispatch({
+			type: "started",
+			key
+		});
+		const channel = new MessageChannel();
+		this.listen(channel.port1, files);
+		try {
+			const input = {
+				files,
+				options: {
+					...runOptions({
+						...state.options,
+						...givenToRun(state)
+					}, settings),
+					onOrthophoto: purposeOf(state) === "block"
+				},
+				masks: state.options.masks,
+				geoid: state.options.geoid,
+				truth,
+				workers: this.pool.size,
+				kept: this.kept,
+				port: channel.port2
+			};
+			const view = await this.block.call("blockRun", input, [channel.port2]);
+			this.heldIn = this.block.generation;
+			this.spare = null;
+			rememberCalibrations(calibrationsOf(view, truth !== null, Date.now()));
+			this.store.dispatch({
+				type: "done",
+				key,
+				view,
+				files,
+				seconds: (performance.now() - started) / 1e3
+			});
+		} catch (error) {
+			this.pool.cancel();
+			const stopped = this.port !== channel.port1;
+			this.store.dispatch({
+				type: "ended",
+				failure: stopped || error instanceof Cancelled ? null : reasonOf$1(error)
+			});
+		} finally {
+			channel.port1.close();
+			if (this.port === channel.port1) this.port = null;
+			if (this.told === channel.port1) this.told = null;
+		}
+	}
+	cancel() {
+		const { port, writing } = this;
+		this.port = null;
+		this.writing = null;
+		this.pool.cancel();
+		port?.postMessage({ kind: "stop" });
+		writing?.postMessage("stop");
+		if (port === null && writing === null) return;
+		window.setTimeout(() => {
+			if (isBusy(this.store.state) && this.port === null && this.writing === null) this.block.cancel();
+		}, port === null ? EXPORT_PATIENCE_MS : PATIENCE_MS);
+	}
+	leave() {
+		if (this.told === null) return;
+		this.told.onmessage = null;
+		this.port = null;
+		this.pool.cancel();
+		this.block.cancel();
+	}
+	get records() {
+		return this.kept;
+	}
+	takeRecords(records) {
+		this.kept.clear();
+		for (const [key, record] of records) this.kept.set(key, record);
+	}
+	watchRecords(recorded) {
+		this.recorded = recorded;
+	}
+	async project() {
+		await this.regained();
+		const { port1, port2 } = new MessageChannel();
+		try {
+			const { bytes } = await this.block.call("blockExport", {
+				kind: "project",
+				name: "block",
+				stop: port2
+			}, [port2]);
+			return new Blob([bytes]);
+		} finally {
+			port1.close();
+		}
+	}
+	async read(bytes, truth = null) {
+		this.reading?.cancel();
+		const worker = new WorkerClient("block");
+		this.reading = worker;
+		const opened = await worker.call("blockOpen", {
+			bytes,
+			truth
+		}, [bytes.buffer]);
+		const hold = () => {
+			this.block.cancel();
+			this.block = worker;
+			this.reading = null;
+			this.heldIn = worker.generation;
+			this.spare = null;
+		};
+		const ofShown = async () => {
+			await this.regained();
+			return this.block.call("blockPlaces", null);
+		};
+		const placesAgain = async (before) => worker.call("blockPlacesAgain", { before: before ?? await ofShown() });
+		return {
+			...opened,
+			hold,
+			places: () => worker.call("blockPlaces", null),
+			placesAgain
+		};
+	}
+	async edited(edits) {
+		await this.regained();
+		if (this.port !== null) throw new Cancelled("cancelled");
+		return this.block.call("blockEdited", this.inSteps(edits));
+	}
+	keepSpare(project) {
+		this.spare = project;
+	}
+	async regained() {
+		const { spare } = this;
+		if (this.heldIn === this.block.generation || spare === null) return;
+		this.regaining ??= this.regain(spare).finally(() => {
+			this.regaining = null;
+		});
+		await this.regaining;
+	}
+	async regain(spare) {
+		const { block } = this;
+		const bytes = new Uint8Array(await spare.arrayBuffer());
+		await block.call("blockOpen", {
+			bytes,
+			truth: null
+		}, [bytes.buffer]);
+		if (block !== this.block || this.port !== null) return;
+		this.heldIn = block.generation;
+		const { shown } = this.store.state;
+		if (shown !== null) await this.block.call("blockEdited", this.inSteps(shown.edits));
+	}
+	inSteps(edits) {
+		const { history, truth } = this.store.state;
+		return {
+			steps: stepsOf(history, edits),
+			truth
+		};
+	}
+	async imagePoints(image) {
+		await this.regained();
+		return this.block.call("blockImagePoints", { image });
+	}
+	async observations(images) {
+		await this.regained();
+		return this.block.call("blockObservations", { images });
+	}
+	async ground() {
+		await this.regained();
+		return this.block.call("blockGround", null);
+	}
+	async pointDetail(point) {
+		await this.regained();
+		return this.block.call("blockPoint", { point });
+	}
+	async epipolarLine(from, x, y, to) {
+		await this.regained();
+		return this.block.call("blockLine", {
+			from,
+			x,
+			y,
+			to
+		});
+	}
+	grey(file) {
+		return this.pool.call("blockGrey", { file });
+	}
+	window(file, at, turn) {
+		return this.pool.call("blockWindow", {
+			file,
+			at,
+			turn
+		});
+	}
+	async matched(left, file, near, turn) {
+		const by = await this.pool.call("blockFit", {
+			left,
+			right: await this.window(file, near, turn)
+		});
+		if (by === null) return null;
+		const [ax, ay, bx, by_] = turn;
+		return [near[0] + by[0] * ax + by[1] * bx, near[1] + by[0] * ay + by[1] * by_];
+	}
+	async export(kind, name) {
+		const { port1, port2 } = new MessageChannel();
+		this.writing = port1;
+		try {
+			await this.regained();
+			return await this.block.call("blockExport", {
+				kind,
+				name,
+				stop: port2
+			}, [port2]);
+		} catch (error) {
+			throw this.writing === port1 ? error : new Cancelled("cancelled");
+		} finally {
+			if (this.writing === port1) this.writing = null;
+			port1.close();
+		}
+	}
+	async photograph(flight, done) {
+		const truth = await this.pool.call("blockPlan", flight);
+		let count = 0;
+		return {
+			files: await Promise.all(truth.images.map(async ({ name }, index) => {
+				const bytes = await this.pool.call("blockPhoto", {
+					flight,
+					index
+				});
+				count += 1;
+				done(count, truth.images.length);
+				return {
+					name,
+					file: new Blob([bytes], { type: "image/png" })
+				};
+			})),
+			truth
+		};
+	}
+	listen(port, files) {
+		this.port = port;
+		this.told = port;
+		port.onmessage = (event) => {
+			const message = event.data;
+			if (message.kind === "keep") {
+				this.kept.set(message.key, message.record);
+				this.recorded();
+			} else if (message.kind === "job") this.perform(port, message.id, message.job);
+			else if (message.kind === "part") this.store.dispatch({
+				type: "part",
+				view: message.view,
+				files
+			});
+			else if (this.port === port) this.store.dispatch({
+				type: "step",
+				step: message.step
+			});
+		};
+	}
+	async perform(port, id, job) {
+		const tell = (message, transfer = []) => port.postMessage(message, transfer);
+		try {
+			if (this.port !== port) return;
+			const answer = await this.pool.call("blockJob", job, buffersOf(job));
+			tell({
+				kind: "answer",
+				id,
+				answer
+			}, "made" in answer ? [answer.made.buffer] : []);
+		} catch (error) {
+			if (!(error instanceof Cancelled)) tell({
+				kind: "broke",
+				id,
+				message: reasonOf$1(error)
+			});
+		}
+	}
+};
+function runOptions({ gps, cameras, control, marks, positions }, settings) {
+	return {
+		settings,
+		gps,
+		...cameras === null ? {} : { cameras },
+		...control === null || marks === null ? {} : { control: {
+			points: control.text,
+			marks: marks.text
+		} },
+		...positions === null ? {} : { positions: positions.text }
+	};
+}
+function buffersOf({ inputs }) {
+	return [...new Set(inputs.map(({ buffer }) => buffer))];
+}
+function reasonOf$1(error) {
+	return breakdownOf(error) ?? messageOf(error);
+}
 // www/block/engine/follow.ts
 var MOST_FAILURES = 1;
 var EditFollower = class {
@@ -3643,11 +3653,18 @@ function mountEditBar(store, facts, measures) {
 			view: "images"
 		});
 		measures()?.toggle(false);
+		toImages();
 	}, say("measure-the-chosen-point-in"));
-	const add = button(say("add-point"), "block-add-point", () => measures()?.toggle(true), say("measure-a-new-tie-point"));
+	const add = button(say("add-point"), "block-add-point", () => {
+		measures()?.toggle(true);
+		toImages();
+	}, say("measure-a-new-tie-point"));
 	const joining = button(say("join"), "block-join", () => join(store, facts), say("the-chosen-points-are-one"));
 	const parting = button(say("split"), "block-split", () => makeStep(store, splitOf(store.state, facts)), say("the-point-is-two-one"));
-	const match = button(say("match-it"), "block-match", () => measures()?.match(), say("match-the-point-in-the"));
+	const match = button(say("match-it"), "block-match", () => {
+		measures()?.match();
+		toImages();
+	}, say("match-the-point-in-the"));
 	const accept = button(say("accept"), "block-accept", () => store.dispatch({
 		type: "accept",
 		leaves: false
@@ -3763,6 +3780,7 @@ function mountEditBar(store, facts, measures) {
 	facts.watch(show);
 	return bar;
 }
+var toImages = () => byId("block-view").focus({ preventScroll: true });
 var USES = [
 	["control", say("control-point")],
 	["check", say("check-point")],
@@ -4841,7 +4859,7 @@ async function takeFrames(store, engine, here) {
 		return;
 	}
 	try {
-		const masks = masksOf(scans, options.masks);
+		const masks = masksOf$1(scans, options.masks);
 		const films = scans.flatMap((file, k) => {
 			const film = filmOf(placing.film, file.name);
 			return film === null ? [] : [{
@@ -4871,7 +4889,7 @@ async function takeFrames(store, engine, here) {
 		});
 	}
 }
-function masksOf(scans, masks) {
+function masksOf$1(scans, masks) {
 	const names = (files) => files.map(({ name }) => name);
 	return [...masks_of_images(names(scans), names(masks))].map((index) => masks[index]);
 }
@@ -4893,7 +4911,7 @@ function replace(store, frames) {
 		return;
 	}
 	const ownMasks = frames.map(({ of, mask }) => imageOf$2(files, of, mask, pattern));
-	const former = new Set([...masksOf(scans, options.masks), ...options.masks.filter(({ name }) => ownMasks.some((own) => own.name === name))]);
+	const former = new Set([...masksOf$1(scans, options.masks), ...options.masks.filter(({ name }) => ownMasks.some((own) => own.name === name))]);
 	const masks = [...options.masks.filter((mask) => !former.has(mask)), ...ownMasks];
 	const images = files.map((file) => {
 		const frame = made.get(file.id);
@@ -5142,6 +5160,22 @@ var BlockAside = class {
 		})) ? false : null;
 	}
 };
+// www/block/state/masks.ts
+function maskOf(masks, image) {
+	const [index = -1] = masks_of_images([image], masks.map(({ name }) => name));
+	return masks[index] ?? null;
+}
+function otherMasks(masks, ofPair) {
+	return ofPair.filter(({ image, file }) => maskOf(masks, image)?.file !== file);
+}
+function withMasks(masks, others, newId) {
+	const former = new Set(others.map(({ image }) => maskOf(masks, image)));
+	return [...masks.filter((mask) => !former.has(mask)), ...others.map(({ image, file }) => ({
+		id: newId(),
+		name: `${image}.png`,
+		file
+	}))];
+}
 // www/block/files/tables.ts
 var OF_TIE_POINTS = ["confidence", "rmse_px"];
 var OF_RESULT_IMAGES = [
@@ -5378,6 +5412,13 @@ var BesideFiles = class {
 		});
 		const problem = problemsOf(this.store.state).masks;
 		if (problem !== void 0) this.telling.tell("problem", say("the-block-cannot-be-run-with", { problem: sentence(problem) }));
+	}
+	takePairMasks(masks) {
+		this.store.dispatch({
+			type: "options",
+			options: { masks: withMasks(this.store.state.options.masks, masks, newId) }
+		});
+		this.telling.tellTaken(say("masks-are-of-the-block", { names: masks.map(({ image }) => image).join(", ") }));
 	}
 	takeGeoid(file) {
 		this.store.dispatch({
@@ -5859,7 +5900,7 @@ var BlockFiles = class {
 		return this.takeHere([file.name], async (here) => {
 			this.telling.tell("busy", say("reading", { name: file.name }));
 			try {
-				const { view, edits, made, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
+				const { view, steps, made, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
 				here();
 				const options = optionsOf(made, file.name);
 				const stays = await this.aside.leave(say("open-the-other-project"), here, isReplaced(this.store.state, view));
@@ -5874,7 +5915,7 @@ var BlockFiles = class {
 				this.store.dispatch({
 					type: "openedFile",
 					view,
-					edits,
+					steps,
 					options
 				});
 				const former = stays ? say("the-former-block-stays-under") : "";
@@ -6142,6 +6183,26 @@ function presentKey(key, positionIn) {
 		options,
 		cameras
 	]), own[0] ?? null, position);
+}
+// www/block/files/going-on.ts
+var RUNNING = "block/running";
+var BYTES = 64;
+var RunUnderWay = class {
+	kept = null;
+	constructor(store, engine) {
+		store.watch((s) => [s.running.kind === "yes"], ([runs]) => {
+			this.kept = runs ? { records: engine.records.size } : null;
+		});
+	}
+	parts() {
+		return this.kept === null ? [] : [[RUNNING, {
+			value: this.kept,
+			bytes: BYTES
+		}]];
+	}
+};
+function goesOn(parts, records) {
+	return parts.has(RUNNING) && likeOf(objectOf(parts.get(RUNNING), "running").records, 0, "running.records") < records;
 }
 // www/block/files/keep-draft.ts
 var DRAFT = "block/draft";
@@ -6411,17 +6472,21 @@ var KeptBlocks = class {
 	engine;
 	catalogue;
 	end;
+	run;
 	mode = "block";
 	made = null;
 	journal = new Journal("block/edits", stepFrom, bytesOfStep);
 	marks = new Journal("block/marks", markStepFrom, bytesOfMarks);
+	underWay;
 	making = null;
 	changed = () => void 0;
-	constructor(store, engine, catalogue, end) {
+	constructor(store, engine, catalogue, end, run) {
 		this.store = store;
 		this.engine = engine;
 		this.catalogue = catalogue;
 		this.end = end;
+		this.run = run;
+		this.underWay = new RunUnderWay(store, engine);
 	}
 	watch(changed) {
 		this.changed = changed;
@@ -6493,7 +6558,11 @@ var KeptBlocks = class {
 		for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
 		for (const [name, part] of this.marks.parts(state.marks)) parts.set(name, part);
 		for (const [name, part] of formerParts(state.former, state.history)) parts.set(name, part);
-		for (const [name, part] of [...draftParts(state.draft, state.panes.images), ...linkParts(placing)]) parts.set(name, part);
+		for (const [name, part] of [
+			...draftParts(state.draft, state.panes.images),
+			...linkParts(placing),
+			...this.underWay.parts()
+		]) parts.set(name, part);
 		if (made !== null && made.found === shown?.found) parts.set(SHOWN, {
 			value: made.kept,
 			bytes: SMALL + made.kept.project.size + (made.kept.ground?.before.size ?? 0)
@@ -6505,7 +6574,7 @@ var KeptBlocks = class {
 		});
 		return parts;
 	}
-	async read(parts) {
+	async read(parts, looks) {
 		if (!parts.has(GIVEN)) return () => void 0;
 		const kept = givenFrom(parts.get(GIVEN), this.catalogue);
 		const files = kept.files.map((file) => fileFrom(parts, file));
@@ -6521,6 +6590,7 @@ var KeptBlocks = class {
 		const truth = orNull(kept.truth, (name) => truthFrom(parts, name));
 		const records = new Map([...parts].flatMap(([part, record]) => part.startsWith(RECORD) && record instanceof Blob ? [[part.slice(13), record]] : []));
 		const shown = finished?.shown ?? null;
+		const runs = !looks && shown === null && goesOn(parts, records.size);
 		const count = shown?.view.images.length ?? 0;
 		const draft = shown === null ? null : draftFrom(parts, count);
 		const opened = kept.opened?.every((image) => image < count) === true ? kept.opened : null;
@@ -6565,13 +6635,13 @@ var KeptBlocks = class {
 			});
 			const names = this.images();
 			if (names.length === 0) return;
-			const goesOn = records.size > 0 && shown === null ? say("the-work-that-was-done") : "";
+			const work = records.size > 0 && shown === null ? say("the-work-that-was-done") : "";
 			const restored = say("restored-from-this-browser", {
 				title_of: titleOf$2({
 					name: null,
 					images: names
 				}),
-				goes_on: goesOn
+				goes_on: runs ? "" : work
 			});
 			const text = damage === "" ? restored : `${restored} ${damage}`;
 			this.store.dispatch({
@@ -6582,6 +6652,7 @@ var KeptBlocks = class {
 					beside: true
 				}
 			});
+			if (runs) queueMicrotask(this.run);
 		};
 	}
 	clear() {
@@ -6644,7 +6715,7 @@ var KeptBlocks = class {
 				given: NONE_GIVEN,
 				found: view,
 				tiePoints,
-				edits: theSame(opened.edits, history.edits.flat()),
+				edits: theSame(opened.steps.flat(), history.edits.flat()),
 				ground
 			},
 			kept: value,
@@ -7373,7 +7444,7 @@ function rowsOfChoice(subject, { view, given }, choice) {
 var EMPTY = {};
 function kept(subject, view, filter) {
 	const { count: rows, columns } = COLUMNS[subject](view, []);
-	return maskOf(rows, columns, filter);
+	return maskOf$1(rows, columns, filter);
 }
 function testOf(subject) {
 	return remember((view, own, ofImages) => {
@@ -7402,6 +7473,7 @@ var TABLES = [
 	["surveyed", say("control-and-check-points")]
 ];
 var HEIGHT = "tiepoint-dock";
+var TAB = "tiepoint-table";
 var STEP$2 = 24;
 var LEAST = 170;
 var ABOVE = 240;
@@ -7414,8 +7486,12 @@ function makeDock(store, looking, facts, others) {
 	const draw = () => {
 		for (const table of [...tables, ...further]) table.draw();
 	};
+	let isFallback = false;
 	element.addEventListener("click", (event) => {
-		if (event.target.closest("[role=\"tab\"]") !== null) draw();
+		const tab = event.target.closest("[role=\"tab\"]");
+		if (tab === null) return;
+		if (!isFallback) keepChoice(TAB, tab.id);
+		draw();
 	});
 	facts.watch(() => {
 		for (const table of tables) table.refresh();
@@ -7435,7 +7511,13 @@ function makeDock(store, looking, facts, others) {
 			const view = own[i - sources.length];
 			tab.hidden = view === void 0 ? isOwn || sources[i]?.subject === "surveyed" && (shown?.view.surveyed.length ?? 0) + (shown?.given.length ?? 0) === 0 : !isOwn || view !== onStage;
 		});
-		if (tabs.some((tab) => tab.hidden && tab.getAttribute("aria-selected") === "true")) tabs.find((tab) => !tab.hidden)?.click();
+		const selected = tabs.find((tab) => tab.getAttribute("aria-selected") === "true");
+		const seen = tabs.filter((tab) => !tab.hidden);
+		const wanted = seen.find(({ id }) => id === keptChoice(TAB)) ?? (selected?.hidden === true ? seen[0] : selected);
+		if (wanted === selected) return;
+		isFallback = true;
+		wanted?.click();
+		isFallback = false;
 	});
 	return element;
 }
@@ -7659,7 +7741,7 @@ function strongestPair(state) {
 	return first === void 0 ? null : others.reduce((best, other) => matchesOf(other) > matchesOf(best) ? other : best, first).images;
 }
 // www/block/panel/back.ts
-function mountBack(store, modes, pair) {
+function mountBack(store, modes, pair, takeMasks) {
 	const text = h("span", { testid: "of-block" });
 	const back = button(say("back-to-the-block"), "back-to-block", () => {
 		modes.dispatch("block");
@@ -7669,7 +7751,8 @@ function mountBack(store, modes, pair) {
 		const images = strongestPair(store.state);
 		if (images !== null) pair.open(images);
 	});
-	const line = h("div", { class: "of-block" }, back, text, open);
+	const masks = button(say("use-masks-in-the-block"), "masks-to-block", () => takeMasks(othersOf(store, pair)), say("what-they-mask-holds-no"));
+	const line = h("div", { class: "of-block" }, back, text, masks, open);
 	const draw = () => {
 		const offered = pair.names().every((name) => name === null) ? strongestPair(store.state) : null;
 		const said = offered === null ? saidOf(store) : say("pairs-of-the-block-open-here", { names: namesOf(store, offered) });
@@ -7677,12 +7760,14 @@ function mountBack(store, modes, pair) {
 		fill(text, said ?? "");
 		back.hidden = offered !== null;
 		open.hidden = offered === null;
-		open.disabled = isBusy(store.state);
+		masks.hidden = offered !== null || othersOf(store, pair).length === 0;
+		open.disabled = masks.disabled = isBusy(store.state);
 	};
 	store.watch([
 		"opened",
 		"shown",
 		"files",
+		"options",
 		"running",
 		"notice",
 		"placing"
@@ -7690,6 +7775,9 @@ function mountBack(store, modes, pair) {
 	modes.watch(["mode"], draw);
 	pair.watch(draw);
 	return line;
+}
+function othersOf({ state: { opened, options } }, pair) {
+	return opened === null ? [] : otherMasks(options.masks, pair.masks());
 }
 function saidOf({ state: { opened, shown } }) {
 	return opened === null || shown === null ? null : describe(shown, {
@@ -8003,11 +8091,11 @@ function reduced(state, action) {
 		case "showLinks": {
 			const placing = reducePlacing(state.placing, action);
 			if (placing === state.placing) return state;
-			const isSet = (action.type === "placingOptions" || action.type === "purpose") && state.notice?.kind !== "busy";
+			const isAnother = action.type === "placingOptions" || action.type === "purpose" || action.type === "orthophoto" && action.orthophoto === null;
 			return {
 				...state,
 				placing,
-				notice: isSet ? null : state.notice,
+				notice: isAnother && state.notice?.kind !== "busy" ? null : state.notice,
 				refused: action.type === "placingOptions" ? null : state.refused
 			};
 		}
@@ -8032,8 +8120,8 @@ function reduced(state, action) {
 				panes: panesInOtherView(state.panes, null, action.view),
 				...UNEDITED,
 				history: {
-					edits: action.edits.map((edit) => [edit]),
-					done: action.edits.length
+					edits: action.steps,
+					done: action.steps.length
 				},
 				marks: NO_HISTORY,
 				removed: [],
@@ -8046,7 +8134,7 @@ function reduced(state, action) {
 					given: NONE_GIVEN,
 					found: action.view,
 					tiePoints: "",
-					edits: action.edits,
+					edits: action.steps.flat(),
 					files: [],
 					steps: {},
 					seconds: 0,
@@ -8104,10 +8192,15 @@ function blank(state) {
 		notice: state.notice?.kind === "busy" ? null : state.notice
 	};
 }
-function inOther({ selection, panes, shown }, view) {
+function inOther({ selection, panes, shown }, view, hasSamePoints) {
 	const before = shown?.view ?? null;
+	const other = inOtherView(selection, before, view);
+	const points = before !== null && hasSamePoints ? choiceOfSamePoints(selection.chosen, before, view) : null;
 	return {
-		selection: inOtherView(selection, before, view),
+		selection: {
+			...other,
+			chosen: points ?? other.chosen
+		},
 		panes: panesInOtherView(panes, before, view)
 	};
 }
@@ -8128,7 +8221,7 @@ function onGround$1(state, shown, { view, edits: own, ground, again = [] }) {
 	return {
 		...state,
 		...blank(state),
-		...inOther(state, view),
+		...inOther(state, view, true),
 		...edits,
 		...said === "" ? {} : { notice: {
 			kind: "info",
@@ -8186,17 +8279,18 @@ function withRun(state, action) {
 				...state,
 				shown,
 				opened: null,
-				...inOther(state, view)
+				...inOther(state, view, false)
 			};
 		}
 		case "done": {
 			const { key, view, files, seconds } = action;
 			const { edits, said } = carried(state, view);
+			const tiePoints = nameOfTiePoints(view);
 			const draft = draftInOtherView(state.draft, state.shown?.view, view);
 			return {
 				...state,
 				...blank(state),
-				...inOther(state, view),
+				...inOther(state, view, tiePoints === state.shown?.tiePoints),
 				...edits,
 				draft,
 				...said === "" ? {} : { notice: {
@@ -8210,7 +8304,7 @@ function withRun(state, action) {
 					view,
 					given: NONE_GIVEN,
 					found: view,
-					tiePoints: nameOfTiePoints(view),
+					tiePoints,
 					edits: [],
 					files,
 					seconds,
@@ -14084,7 +14178,7 @@ function plotOf(name, view, facts) {
 		}
 		case "gnss": {
 			const ground = facts.ground();
-			return ground === null ? null : positions$1(view, ground);
+			return ground === null ? null : positions(view, ground);
 		}
 	}
 }
@@ -14119,7 +14213,7 @@ var byImage = remember((view) => ofImages(view, {
 	label: say("rmse-of-the-residuals"),
 	unit: "px"
 }, (image) => view.images[image]?.rmsePx ?? NaN));
-var positions$1 = remember((view, { gnss }) => ofImages(view, {
+var positions = remember((view, { gnss }) => ofImages(view, {
 	label: say("gnss-minus-adjusted-position"),
 	unit: "m"
 }, (image) => {
@@ -15456,59 +15550,72 @@ function cameraTable({ cameras, found }) {
 		testid: "cameras"
 	}, head, h("tbody", {}, ...cameras.map((camera, i) => row(`${String(i + 1)}: ${camera.label.replace(/(\d) x (?=\d)/gu, "$1 × ")}`, number(count(camera.images)), number(given(camera)), number(camera.calibrated === null ? "–" : `${fixed(camera.calibrated.focal_px, 1)}${camera.focalErrorPx === null ? "" : ` ± ${fixed(camera.focalErrorPx, 1)}`}`))))));
 }
+// www/block/state/own-settings.ts
+var USE_GNSS = {
+	key: "recorded.gnss",
+	path: "recorded.gnss",
+	section: say("method"),
+	label: say("use-gnss-positions"),
+	unit: "",
+	help: say("they-choose-near-pairs-and"),
+	absent: "",
+	acts: "",
+	named: "",
+	kind: "flag"
+};
+function ownSettings(settings, gps) {
+	return {
+		...settings,
+		recorded: { gnss: gps === "use" }
+	};
+}
+function optionsOfOwn({ recorded, ...settings }) {
+	return {
+		settings,
+		gps: recorded.gnss ? "use" : "ignore"
+	};
+}
 // www/block/panel/settings.ts
 var SYSTEM = "placing.crs";
 function mountSettings(host, store, files, opener) {
 	store.watch(["catalogue"], ([catalogue]) => {
 		if (catalogue === null) return;
-		const { defaults } = catalogue;
-		const sections = makeFolded(catalogue.parameters, {
+		const defaults = ownSettings(catalogue.defaults, BLOCK_INITIAL.options.gps);
+		const take = (own) => store.dispatch({
+			type: "options",
+			options: optionsOfOwn(own)
+		});
+		const bound = {
 			change: (key, value) => {
-				const { settings } = store.state.options;
-				if (settings !== null) store.dispatch({
-					type: "options",
-					options: { settings: withSetting(settings, key, value) }
-				});
+				const { settings, gps } = store.state.options;
+				if (settings !== null) take(withSetting(ownSettings(settings, gps), key, value));
 			},
 			defaults: () => defaults,
 			refused: (parameter) => store.dispatch({
 				type: "refused",
 				parameter
 			})
-		}, {
+		};
+		const sections = makeFolded([...catalogue.parameters, USE_GNSS], bound, {
 			title: say("method"),
-			first: ["pairs.rule", "refinement.method"],
+			first: [
+				"pairs.rule",
+				"refinement.method",
+				USE_GNSS.key
+			],
 			of: "block",
-			take: (settings) => store.dispatch({
-				type: "options",
-				options: { settings }
-			}),
+			take,
 			changed: (count) => fill(opener, settingsText(count))
 		});
 		const [back, method, ...others] = sections.elements;
-		fill(host, back ?? null, method ?? null, positions(store), waiting(files), besides(store, files), ...others);
-		store.watch((s) => [s.options.settings], ([settings]) => {
+		fill(host, back ?? null, method ?? null, waiting(files), besides(store, files), ...others);
+		store.watch((s) => [s.options.settings, s.options.gps], ([settings, gps]) => {
 			if (settings === null) return;
-			sections.show(settings, acting_block_parameters(settings));
+			sections.show(ownSettings(settings, gps), [...acting_block_parameters(settings), USE_GNSS.key]);
 			const { crs } = problemsOf(store.state);
 			if (crs !== void 0) sections.controls.find(({ parameter }) => parameter.key === SYSTEM)?.refuse(readable(catalogue.labels, crs));
 		});
 	});
-}
-function positions(store) {
-	const input = h("input", {
-		id: "block-gps",
-		type: "checkbox",
-		testid: "block-gps"
-	});
-	input.addEventListener("change", () => store.dispatch({
-		type: "options",
-		options: { gps: input.checked ? "use" : "ignore" }
-	}));
-	store.watch((s) => [s.options.gps], ([gps]) => {
-		input.checked = gps === "use";
-	});
-	return h("div", { class: "control" }, h("div", { class: "control-head" }, input, h("label", { for: input.id }, say("use-gnss-positions"))), h("p", { class: "help" }, say("they-choose-near-pairs-and")));
 }
 function waiting(files) {
 	const input = h("input", {
@@ -16112,11 +16219,12 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	const placing = new PlacingEngine(store);
 	const onGround = new BlockPlacing(store, engine, placing);
 	const runs = new BlockRuns(store, engine, placing, onGround, new GroundFiles(store, placing));
-	const kept = new KeptBlocks(store, engine, catalogue, () => {
+	const leave = () => {
 		placing.cancel();
 		onGround.cancel();
 		engine.leave();
-	});
+	};
+	const kept = new KeptBlocks(store, engine, catalogue, leave, () => void files.actions.run());
 	const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept), left, stays);
 	const looking = {
 		choose: (choice) => store.dispatch({
@@ -16163,7 +16271,7 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	byId("page-actions").before(actions, exports);
 	byId("menu").before(drawers);
 	document.querySelector("body > main")?.after(main);
-	document.querySelector("body > main")?.before(mountBack(store, modes, beside));
+	document.querySelector("body > main")?.before(mountBack(store, modes, beside, (masks) => files.beside.takePairMasks(masks)));
 	showIn(modes, "block", [
 		actions,
 		exports,
@@ -16378,9 +16486,14 @@ async function opened(block, modes, { store, engine }, putAside, [a, b], here) {
 		right: imageOf(right)
 	};
 	let camera;
+	let masks;
 	try {
 		camera = cameraOfImages(shown.view, a, b);
 		await Promise.all([engine.open("left", images.left), engine.open("right", images.right)]);
+		masks = {
+			left: await maskFor(engine, block, left),
+			right: await maskFor(engine, block, right)
+		};
 		here();
 	} catch (error) {
 		here();
@@ -16394,12 +16507,17 @@ async function opened(block, modes, { store, engine }, putAside, [a, b], here) {
 		type: "images",
 		images
 	});
-	const { camera: known, offset, photos, masks } = store.state;
+	for (const side of SIDES) if (masks[side] !== null) store.dispatch({
+		type: "mask",
+		side,
+		mask: masks[side]
+	});
+	const { state } = store;
 	given = {
-		camera: known,
-		offset,
-		photos,
-		masks
+		camera: state.camera,
+		offset: state.offset,
+		photos: state.photos,
+		masks: state.masks
 	};
 	if (stays !== "") store.dispatch({
 		type: "notice",
@@ -16443,21 +16561,39 @@ function readyFor(store, block, camera) {
 		type: "offset",
 		offset: null
 	});
-	for (const side of SIDES) {
-		store.dispatch({
-			type: "photo",
-			side,
-			photo: {
-				fiducials: [],
-				origin: null
-			}
-		});
-		store.dispatch({
-			type: "mask",
-			side,
-			mask: null
-		});
-	}
+	for (const side of SIDES) store.dispatch({
+		type: "photo",
+		side,
+		photo: {
+			fiducials: [],
+			origin: null
+		}
+	});
+}
+async function maskFor(engine, { state }, image) {
+	const mask = maskOf(state.options.masks, image.name);
+	if (mask === null || isLacking(mask)) return null;
+	return {
+		...await engine.client("pair").call("mask", {
+			file: mask.file,
+			overlaySide: MASK_SIDE
+		}),
+		id: nextId--,
+		name: mask.name,
+		source: {
+			kind: "file",
+			file: mask.file
+		}
+	};
+}
+function masksOf({ images, masks }) {
+	return SIDES.flatMap((side) => {
+		const [image, source] = [images[side], masks[side]?.source];
+		return image === null || source?.kind !== "file" ? [] : [{
+			image: image.name,
+			file: source.file
+		}];
+	});
 }
 function fileOf(block, name) {
 	const { shown, files } = block.state;
@@ -16483,4 +16619,4 @@ function tell(block, modes, text) {
 		}
 	});
 }
-export { blockCatalogue, mountBlock, openPair };
+export { blockCatalogue, masksOf, mountBlock, openPair };

@@ -203,8 +203,11 @@ var FinishedBlock = class FinishedBlock {
 			wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 		}
 	}
-	edited(edits) {
-		const ret = wasm.finishedblock_edited(this.__wbg_ptr, edits);
+	edit_steps() {
+		return wasm.finishedblock_edit_steps(this.__wbg_ptr);
+	}
+	edited(edits, steps) {
+		const ret = wasm.finishedblock_edited(this.__wbg_ptr, edits, steps);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return FinishedBlock.__wrap(ret[0]);
 	}
@@ -231,6 +234,16 @@ var FinishedBlock = class FinishedBlock {
 		const ret = wasm.finishedblock_image_points(this.__wbg_ptr, image);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
+	}
+	meeting_place(measurements) {
+		const ret = wasm.finishedblock_meeting_place(this.__wbg_ptr, measurements);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		let v1;
+		if (ret[0] !== 0) {
+			v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+		}
+		return v1;
 	}
 	model() {
 		return wasm.finishedblock_model(this.__wbg_ptr);
@@ -1869,7 +1882,7 @@ function tabbed(place, label, tabs) {
 			if (step === void 0) return;
 			event.preventDefault();
 			const next = (i + step + tabs.length) % tabs.length;
-			choose(next);
+			buttons[next]?.click();
 			buttons[next]?.focus();
 		});
 	});
@@ -1900,6 +1913,8 @@ function reveal(element) {
 	if (element.closest(".dock") !== null) setDrawer("table", true);
 	const tab = element.closest("[role=\"tabpanel\"][hidden]")?.getAttribute("aria-labelledby");
 	if (tab != null) showTab(tab);
+	const menu = element.checkVisibility() ? null : element.closest("[id].more, [id].menu");
+	if (menu !== null) document.querySelector(`[aria-controls="${menu.id}"][aria-expanded="false"]`)?.click();
 	for (let fold = element.closest("details"); fold !== null; fold = fold.parentElement?.closest("details") ?? null) fold.open = true;
 }
 // www/shared/state/store.ts
@@ -7262,6 +7277,191 @@ function bothSides(of) {
 		right
 	};
 }
+// www/pair/files/ids.ts
+var nextId = 1;
+var freshId = () => nextId++;
+// www/pair/files/of-block.ts
+var READERS = [
+	(text) => parse_ground_control_points(text).length > 0,
+	(text) => areImages(parse_image_measurements(text)),
+	(text) => areImages(parse_image_positions(text).rows)
+];
+function areImages(rows) {
+	return rows.length > 0 && rows.every(({ image }) => IMAGE_FILE.test(image));
+}
+function isOfBlock(text) {
+	return READERS.some((reads) => {
+		try {
+			return reads(text);
+		} catch {
+			return false;
+		}
+	});
+}
+// www/pair/files/told.ts
+var problem = (text) => ({
+	kind: "problem",
+	text
+});
+var info = (text) => ({
+	kind: "info",
+	text
+});
+var unchanged = () => info(say("cancelled-nothing-was-changed"));
+var Telling = class {
+	store;
+	constructor(store) {
+		this.store = store;
+	}
+	tell(told, before = this.store.state.images) {
+		const said = [...this.saidMeanwhile(), ...told.filter((one) => one !== null)];
+		const bad = said.some(({ kind }) => kind === "problem");
+		const { images } = this.store.state;
+		const areKept = SIDES.every((side) => images[side] === before[side]) && SIDES.some((side) => before[side] !== null);
+		const kept = bad && areKept ? say("the-open-images-are-kept") : "";
+		const text = `${said.map((one) => one.text).join(" ")}${kept}`;
+		const choices = said.flatMap((one) => one.choices ?? []);
+		const notice = {
+			kind: bad ? "problem" : "info",
+			text,
+			...choices.length > 0 && { choices }
+		};
+		this.store.dispatch({
+			type: "notice",
+			notice: said.length === 0 ? null : notice
+		});
+	}
+	saidMeanwhile() {
+		const { notice } = this.store.state;
+		return notice?.kind !== "info" || notice.choices !== void 0 ? [] : [{
+			kind: "info",
+			text: notice.text
+		}];
+	}
+	failed(what, error, here) {
+		here();
+		if (error instanceof Cancelled) return unchanged();
+		return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
+	}
+};
+// www/pair/files/beside.ts
+var MASK_SIDE = 1024;
+function sideOfMask(mask, index) {
+	const [, painted] = /-mask-(left|right)\./u.exec(mask.name) ?? [];
+	if (painted !== void 0) return painted;
+	if (/right/iu.test(mask.name)) return "right";
+	return /left/iu.test(mask.name) || index === 0 ? "left" : "right";
+}
+function looksLikeTable(text) {
+	return /[,;\t]/u.test(text.trimStart().split("\n", 1)[0] ?? "");
+}
+var BesideFiles = class {
+	store;
+	engine;
+	telling;
+	constructor(store, engine, telling) {
+		this.store = store;
+		this.engine = engine;
+		this.telling = telling;
+	}
+	async mask(file, side, here) {
+		const opened = this.store.state.images[side];
+		if (opened === null) return problem(say("is-a-mask-of-the", {
+			name: file.name,
+			side
+		}));
+		try {
+			const { info: photo } = await this.engine.open(side, opened);
+			const mask = await this.engine.client("pair").call("mask", {
+				file,
+				overlaySide: MASK_SIDE
+			});
+			here();
+			if (mask.width !== photo.width || mask.height !== photo.height) return problem(say("has-px-the-image-px", {
+				name: file.name,
+				width: mask.width,
+				height: mask.height,
+				side,
+				width_2: photo.width,
+				height_2: photo.height
+			}));
+			this.store.dispatch({
+				type: "mask",
+				side,
+				mask: {
+					...mask,
+					id: freshId(),
+					name: file.name,
+					source: {
+						kind: "file",
+						file
+					}
+				}
+			});
+			return info(say("masks-of-the-image", {
+				name: file.name,
+				left_out: 100 * mask.leftOut,
+				side
+			}));
+		} catch (error) {
+			return this.telling.failed(say("cannot-be-used-as-a", { name: file.name }), error, here);
+		}
+	}
+	sideOfTable(table, index) {
+		if (/right/iu.test(table.name)) return "right";
+		if (/left/iu.test(table.name)) return "left";
+		return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? "right" : "left";
+	}
+	async fiducials(file, side, here) {
+		let text = "";
+		try {
+			text = await textIn(file);
+		} catch (error) {
+			return this.telling.failed(say("cannot-be-opened", { name: file.name }), error, here);
+		}
+		try {
+			const fiducials = await this.engine.client("pair").call("parseFiducials", { text });
+			here();
+			this.store.dispatch({
+				type: "photo",
+				side,
+				photo: { fiducials }
+			});
+			return info(say("fiducial-of-the-image-from", {
+				fiducials: fiducials.length,
+				side,
+				name: file.name
+			}));
+		} catch (error) {
+			here();
+			if (isOfBlock(text)) return problem(say("is-a-table-of-a-block", { name: file.name }));
+			const what = say("is-no-photograph-and-no-table", { name: file.name });
+			if (!looksLikeTable(text) && !(error instanceof Cancelled)) return problem(sentence(what));
+			return this.telling.failed(what, error, here);
+		}
+	}
+	async camera(file, here) {
+		try {
+			const text = await textIn(file);
+			here();
+			const { [OWN_SETTINGS]: subject } = fieldsOf(text);
+			if (subject === "pair") return info(say("holds-settings", { name: file.name }));
+			if (subject !== void 0) return problem(`${file.name}: ${sentence(say("the-file-holds-settings-of", {
+				subject: String(subject),
+				of: "pair"
+			}))}`);
+			const camera = await this.engine.client("pair").call("parseCamera", { text });
+			here();
+			this.store.dispatch({
+				type: "camera",
+				camera
+			});
+			return info(say("camera-data-from", { name: file.name }));
+		} catch (error) {
+			return this.telling.failed(say("holds-no-camera-data", { name: file.name }), error, here);
+		}
+	}
+};
 // www/pair/engine/failure.ts
 var KEPT = say("images-settings-and-earlier-results");
 function advice(stage) {
@@ -8033,191 +8233,6 @@ function shelfFrom(value) {
 	};
 	return new Map([...value].map(entry));
 }
-// www/pair/files/ids.ts
-var nextId = 1;
-var freshId = () => nextId++;
-// www/pair/files/of-block.ts
-var READERS = [
-	(text) => parse_ground_control_points(text).length > 0,
-	(text) => areImages(parse_image_measurements(text)),
-	(text) => areImages(parse_image_positions(text).rows)
-];
-function areImages(rows) {
-	return rows.length > 0 && rows.every(({ image }) => IMAGE_FILE.test(image));
-}
-function isOfBlock(text) {
-	return READERS.some((reads) => {
-		try {
-			return reads(text);
-		} catch {
-			return false;
-		}
-	});
-}
-// www/pair/files/told.ts
-var problem = (text) => ({
-	kind: "problem",
-	text
-});
-var info = (text) => ({
-	kind: "info",
-	text
-});
-var unchanged = () => info(say("cancelled-nothing-was-changed"));
-var Telling = class {
-	store;
-	constructor(store) {
-		this.store = store;
-	}
-	tell(told, before = this.store.state.images) {
-		const said = [...this.saidMeanwhile(), ...told.filter((one) => one !== null)];
-		const bad = said.some(({ kind }) => kind === "problem");
-		const { images } = this.store.state;
-		const areKept = SIDES.every((side) => images[side] === before[side]) && SIDES.some((side) => before[side] !== null);
-		const kept = bad && areKept ? say("the-open-images-are-kept") : "";
-		const text = `${said.map((one) => one.text).join(" ")}${kept}`;
-		const choices = said.flatMap((one) => one.choices ?? []);
-		const notice = {
-			kind: bad ? "problem" : "info",
-			text,
-			...choices.length > 0 && { choices }
-		};
-		this.store.dispatch({
-			type: "notice",
-			notice: said.length === 0 ? null : notice
-		});
-	}
-	saidMeanwhile() {
-		const { notice } = this.store.state;
-		return notice?.kind !== "info" || notice.choices !== void 0 ? [] : [{
-			kind: "info",
-			text: notice.text
-		}];
-	}
-	failed(what, error, here) {
-		here();
-		if (error instanceof Cancelled) return unchanged();
-		return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
-	}
-};
-// www/pair/files/beside.ts
-var MASK_SIDE = 1024;
-function sideOfMask(mask, index) {
-	const [, painted] = /-mask-(left|right)\./u.exec(mask.name) ?? [];
-	if (painted !== void 0) return painted;
-	if (/right/iu.test(mask.name)) return "right";
-	return /left/iu.test(mask.name) || index === 0 ? "left" : "right";
-}
-function looksLikeTable(text) {
-	return /[,;\t]/u.test(text.trimStart().split("\n", 1)[0] ?? "");
-}
-var BesideFiles = class {
-	store;
-	engine;
-	telling;
-	constructor(store, engine, telling) {
-		this.store = store;
-		this.engine = engine;
-		this.telling = telling;
-	}
-	async mask(file, side, here) {
-		const opened = this.store.state.images[side];
-		if (opened === null) return problem(say("is-a-mask-of-the", {
-			name: file.name,
-			side
-		}));
-		try {
-			const { info: photo } = await this.engine.open(side, opened);
-			const mask = await this.engine.client("pair").call("mask", {
-				file,
-				overlaySide: MASK_SIDE
-			});
-			here();
-			if (mask.width !== photo.width || mask.height !== photo.height) return problem(say("has-px-the-image-px", {
-				name: file.name,
-				width: mask.width,
-				height: mask.height,
-				side,
-				width_2: photo.width,
-				height_2: photo.height
-			}));
-			this.store.dispatch({
-				type: "mask",
-				side,
-				mask: {
-					...mask,
-					id: freshId(),
-					name: file.name,
-					source: {
-						kind: "file",
-						file
-					}
-				}
-			});
-			return info(say("masks-of-the-image", {
-				name: file.name,
-				left_out: 100 * mask.leftOut,
-				side
-			}));
-		} catch (error) {
-			return this.telling.failed(say("cannot-be-used-as-a", { name: file.name }), error, here);
-		}
-	}
-	sideOfTable(table, index) {
-		if (/right/iu.test(table.name)) return "right";
-		if (/left/iu.test(table.name)) return "left";
-		return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? "right" : "left";
-	}
-	async fiducials(file, side, here) {
-		let text = "";
-		try {
-			text = await textIn(file);
-		} catch (error) {
-			return this.telling.failed(say("cannot-be-opened", { name: file.name }), error, here);
-		}
-		try {
-			const fiducials = await this.engine.client("pair").call("parseFiducials", { text });
-			here();
-			this.store.dispatch({
-				type: "photo",
-				side,
-				photo: { fiducials }
-			});
-			return info(say("fiducial-of-the-image-from", {
-				fiducials: fiducials.length,
-				side,
-				name: file.name
-			}));
-		} catch (error) {
-			here();
-			if (isOfBlock(text)) return problem(say("is-a-table-of-a-block", { name: file.name }));
-			const what = say("is-no-photograph-and-no-table", { name: file.name });
-			if (!looksLikeTable(text) && !(error instanceof Cancelled)) return problem(sentence(what));
-			return this.telling.failed(what, error, here);
-		}
-	}
-	async camera(file, here) {
-		try {
-			const text = await textIn(file);
-			here();
-			const { [OWN_SETTINGS]: subject } = fieldsOf(text);
-			if (subject === "pair") return info(say("holds-settings", { name: file.name }));
-			if (subject !== void 0) return problem(`${file.name}: ${sentence(say("the-file-holds-settings-of", {
-				subject: String(subject),
-				of: "pair"
-			}))}`);
-			const camera = await this.engine.client("pair").call("parseCamera", { text });
-			here();
-			this.store.dispatch({
-				type: "camera",
-				camera
-			});
-			return info(say("camera-data-from", { name: file.name }));
-		} catch (error) {
-			return this.telling.failed(say("holds-no-camera-data", { name: file.name }), error, here);
-		}
-	}
-};
 // www/pair/files/export.ts
 function rows(values, stride) {
 	return Array.from({ length: values.length / stride }, (_, i) => Array.from({ length: stride }, (_, k) => values[i * stride + k] ?? NaN));
@@ -16307,7 +16322,7 @@ var ProjectReader = class {
 				parts,
 				claim,
 				unnamed,
-				shows: await Promise.all(this.keepables.map((keepable) => keepable.read(parts)))
+				shows: await Promise.all(this.keepables.map((keepable) => keepable.read(parts, looks)))
 			};
 		} catch (error) {
 			if (claim !== null && held() !== claim) claim.release();
@@ -16813,9 +16828,9 @@ var LateKeepable = class {
 	images() {
 		return this.part?.images() ?? [];
 	}
-	async read(parts) {
+	async read(parts, looks) {
 		if ([...parts.keys()].some((name) => name.startsWith(this.mode))) await this.load();
-		return await this.part?.read(parts) ?? (() => void 0);
+		return await this.part?.read(parts, looks) ?? (() => void 0);
 	}
 	clear() {
 		this.part?.clear();
@@ -16903,9 +16918,41 @@ function actions() {
 	return [
 		...all.filter(({ disabled }) => !disabled),
 		...commands,
+		...choices(),
 		...settings,
 		...all.filter(({ disabled }) => disabled)
 	];
+}
+function choices() {
+	return [...document.querySelectorAll("select, input[type=\"range\"]")].filter((control) => control.closest("dialog, table, .control") === null && reachable(control)).flatMap((control) => {
+		const about = control.ariaLabel ?? control.labels?.[0]?.querySelector("span")?.textContent ?? "";
+		const made = {
+			more: groupOf(control),
+			keys: [],
+			disabled: control.disabled
+		};
+		const goTo = () => {
+			reveal(control);
+			control.focus();
+		};
+		if (!(control instanceof HTMLSelectElement)) return [{
+			...made,
+			name: about,
+			run: goTo
+		}];
+		return [...control.options].filter((option) => !option.selected && !option.disabled).map((option) => ({
+			...made,
+			name: say("action-about", {
+				about,
+				action: option.text
+			}),
+			run: () => {
+				control.value = option.value;
+				control.dispatchEvent(new Event("change", { bubbles: true }));
+				goTo();
+			}
+		}));
+	});
 }
 var UNNAMED = ".close, .menu-button, #export-menu";
 function nameOf(made) {
@@ -17520,13 +17567,14 @@ function sayOpening(keeper, { store }) {
 }
 async function loadBlock(catalogue, pair, elsewhere) {
 	await learnPart("block");
-	const { blockCatalogue, mountBlock, openPair } = await loadPart("block.js", () => __vitePreload(() => import("./block.js"), [], import.meta.url));
+	const { blockCatalogue, masksOf, mountBlock, openPair } = await loadPart("block.js", () => __vitePreload(() => import("./block.js"), [], import.meta.url));
 	const ofBlocks = blockCatalogue(catalogue);
 	const block = await mountBlock(ofBlocks, {
 		...elsewhere,
 		pair: {
 			names: () => [pair.store.state.images.left?.name ?? null, pair.store.state.images.right?.name ?? null],
-			watch: (changed) => pair.store.watch(["images"], changed)
+			masks: () => masksOf(pair.store.state),
+			watch: (changed) => pair.store.watch(["images", "masks"], changed)
 		},
 		openPair: (store, images) => openPair(store, elsewhere.modes, pair, {
 			putAside: () => elsewhere.putAside(pair.kept),
@@ -17539,4 +17587,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, EPIPOLAR, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, sidewaysNote, smooth, sortRasters, startProgram, swatch, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, EPIPOLAR, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MASK_SIDE, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, sidewaysNote, smooth, sortRasters, startProgram, swatch, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

@@ -203,8 +203,11 @@
 				wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
 			}
 		}
-		edited(edits) {
-			const ret = wasm.finishedblock_edited(this.__wbg_ptr, edits);
+		edit_steps() {
+			return wasm.finishedblock_edit_steps(this.__wbg_ptr);
+		}
+		edited(edits, steps) {
+			const ret = wasm.finishedblock_edited(this.__wbg_ptr, edits, steps);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return FinishedBlock.__wrap(ret[0]);
 		}
@@ -231,6 +234,16 @@
 			const ret = wasm.finishedblock_image_points(this.__wbg_ptr, image);
 			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 			return takeFromExternrefTable0(ret[0]);
+		}
+		meeting_place(measurements) {
+			const ret = wasm.finishedblock_meeting_place(this.__wbg_ptr, measurements);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			let v1;
+			if (ret[0] !== 0) {
+				v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+				wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+			}
+			return v1;
 		}
 		model() {
 			return wasm.finishedblock_model(this.__wbg_ptr);
@@ -2145,12 +2158,13 @@
 		return Array.from(sum, (byte) => byte.toString(16).padStart(2, "0")).join("");
 	}
 	function failureOf$1(error) {
-		const { name, message, code = "", usage = false } = plainError(error);
+		const { name, message, code = "", usage = false, error: refusal } = plainError(error);
 		if (name === "TiepointError") return {
 			kind: "refused",
 			code,
 			message,
-			usage
+			usage,
+			...refusal && { error: refusal }
 		};
 		const breakdown = breakdownOf(error);
 		if (breakdown === null) throw error;
@@ -3841,12 +3855,13 @@
 				all.rays[at] = index < 0 ? this.handsOf(source).size : found.column("rays", index);
 				all.rmsePx[at] = NaN;
 				all.confidence[at] = index < 0 ? 1 : found.column("confidence", index);
+				const met = index < 0 ? this.meetingOf(source) : null;
 				for (const axis of [
 					0,
 					1,
 					2
 				]) {
-					all.positions[3 * at + axis] = index < 0 ? NaN : found.column("positions", 3 * index + axis);
+					all.positions[3 * at + axis] = index < 0 ? met?.[axis] ?? NaN : found.column("positions", 3 * index + axis);
 					all.errors[3 * at + axis] = NaN;
 				}
 			});
@@ -3905,7 +3920,7 @@
 				id: source,
 				name: known?.name ?? this.added(source)?.edit.name ?? null,
 				role: null,
-				position: known?.position ?? null,
+				position: known?.position ?? this.meetingOf(source),
 				errors: null,
 				rmse_px: null,
 				confidence: known?.confidence ?? 1,
@@ -3974,6 +3989,19 @@
 				isUsed: false,
 				byHand: true
 			};
+		}
+		meetingOf(source) {
+			const measurements = [...this.handsOf(source).values()].map(({ image, x_px, y_px }) => ({
+				image,
+				x_px,
+				y_px
+			}));
+			const [x, y, z] = this.found.block.meeting_place(measurements) ?? [];
+			return x === void 0 || y === void 0 || z === void 0 ? null : [
+				x,
+				y,
+				z
+			];
 		}
 		handsOf(source) {
 			return this.byHand.get(codeOfSource(source)) ?? NO_HANDS;
@@ -4102,12 +4130,16 @@
 		const block = FinishedBlock.open(bytes);
 		return {
 			view: hold$1(block, truth, "another"),
-			edits: block.edits(),
+			steps: stepsIn(block),
 			made: projectInputOf(bytes, block)
 		};
 	}
-	function blockEdited({ edits, truth }) {
-		return hold$1(heldBlock().edited(edits), truth, "edited");
+	function stepsIn(block) {
+		const edits = block.edits();
+		return block.edit_steps().map((length) => edits.splice(0, length));
+	}
+	function blockEdited({ steps, truth }) {
+		return hold$1(heldBlock().edited(steps.flat(), steps.map(({ length }) => length)), truth, "edited");
 	}
 	function hold$1(block, truth, kind) {
 		try {

@@ -117,8 +117,8 @@ pub use outputs::{
     Coverage, Expected, ExportOutcome, FoundPoints, ImagePlace, ImagePoint, ImageReason, ImageRow, ObservationDetail, ObservationPart,
     OverviewWarning, PROJECT_VERSION, PairEdits, PairPhoto, PairRow, PairRun, PairTruth, PointColumns, PointDetail, Project, ProjectKind,
     RayCount, ResultSystem, Summary, SystematicSummary, WithText, accuracy_map, block_covariances, block_epipolar_line, block_files,
-    covariance_table, coverage, export_run, image_points, planned_files, point_detail, point_ids, project_kind, read_project,
-    write_block_project, write_pair_project,
+    covariance_table, coverage, export_run, image_points, meeting_place, planned_files, point_detail, point_ids, project_kind,
+    read_project, write_block_project, write_pair_project,
 };
 pub use pair::{
     DescribedImage, FeatureMatchOptions, KnownPhoto, KnownWorst, NoOrientation, OneImage, PairCameras, PairHint, PairImage, PairInput,

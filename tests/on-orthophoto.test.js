@@ -78,7 +78,7 @@ test('photographs with an orthophoto are a block where it has heights, else each
   // One that was made of the block, and a block that came in the system of an orthophoto, ask nothing.
   assert.equal(purposeOf(page.reducer.reduceBlock(finished, { type: 'orthophoto', orthophoto: orthophoto(9, 'key') })), 'images');
   const opened = after(
-    { type: 'openedFile', view: view([], { orthophoto: { kind: 'linked', text: '' } }), edits: [], options: page.state.BLOCK_INITIAL.options },
+    { type: 'openedFile', view: view([], { orthophoto: { kind: 'linked', text: '' } }), steps: [], options: page.state.BLOCK_INITIAL.options },
     ...given,
   );
   assert.equal(purposeOf(opened), 'map');
@@ -309,7 +309,7 @@ test('a block that places by hand hold lies on the orthophoto, and can be placed
   const held = view(['orthophoto_hand_1'], { orthophoto: { kind: 'by_hand', text: '', inCrs: false } });
   const wanted = reduce(given.reduce(reduce, after(...run(after(), held))), { type: 'purpose', purpose: 'block' });
   assert.deepEqual([isOffGround(wanted), lacksPlaceAlone(wanted), liesElsewhere(wanted), isStale(wanted)], [true, true, false, false]);
-  const opened = after({ type: 'openedFile', view: held, edits: [place(1)], options: page.state.BLOCK_INITIAL.options }, ...given);
+  const opened = after({ type: 'openedFile', view: held, steps: [[place(1)]], options: page.state.BLOCK_INITIAL.options }, ...given);
   assert.ok(purposeOf(opened) === null && asksPurpose(opened));
   const elsewhere = reduce(given.reduce(reduce, after(...run(after()))), { type: 'purpose', purpose: 'block' });
   assert.deepEqual([isOffGround(elsewhere), liesElsewhere(elsewhere), isStale(elsewhere)], [true, true, true]);
@@ -471,7 +471,7 @@ test('the orthophoto shows the block that lies on its ground, unless each image 
   const of = (/** @type {object} */ info) => ({ ...orthophoto(7), info });
   const here = of({ width: 100, height: 80, georeference });
   const elsewhere = of({ width: 100, height: 80, georeference: { ...georeference, origin: [9000, 900] } });
-  const opened = { type: 'openedFile', view: linked, edits: [], options: page.state.BLOCK_INITIAL.options };
+  const opened = { type: 'openedFile', view: linked, steps: [], options: page.state.BLOCK_INITIAL.options };
   const given = reduce(after(opened), { type: 'orthophoto', orthophoto: here });
   assert.equal(blockOnOrthophoto(given), given.shown);
   assert.equal(blockOnOrthophoto(after(opened)), null);

@@ -5,9 +5,9 @@ use std::fs;
 use std::sync::OnceLock;
 use tiepoint::{
     BlockEdit, BlockFlight, BlockOverview, BlockRun, BlockScene, BlockSettings, BlockWarning, ExportFormat, HandMeasurement, ImagePlace,
-    MeasuredBy, MultiscaleOptions, ObservationDetail, ObservationPart, PointColumns, PointImage, PointSource, Project, RefinementMethod,
-    RunInput, UnorientedReason, accuracy_map, block_covariances, block_epipolar_line, block_files, covariance_table, coverage,
-    image_points, images_in, planned_files, point_detail, point_ids, read_project, run_block, write_block_project,
+    MeasuredBy, MultiscaleOptions, ObservationDetail, ObservationPart, PointColumns, PointDetail, PointImage, PointSource, Project,
+    RefinementMethod, RunInput, UnorientedReason, accuracy_map, block_covariances, block_epipolar_line, block_files, covariance_table,
+    coverage, image_points, images_in, meeting_place, planned_files, point_detail, point_ids, read_project, run_block, write_block_project,
 };
 
 /// A small simulated block, one image of which has nothing in common with the others.
@@ -227,6 +227,31 @@ fn the_epipolar_line_of_an_observation_passes_by_the_others_of_its_point() {
     // The first image is not oriented.
     assert_eq!(block_epipolar_line(run, 3, [10.0, 10.0], 0).unwrap(), Vec::<[f64; 2]>::new());
     assert_eq!(block_epipolar_line(run, 0, [10.0, 10.0], 3).unwrap(), Vec::<[f64; 2]>::new());
+}
+
+#[test]
+fn measurements_of_a_point_meet_near_it() {
+    let run = finished();
+    let measurements = |seen: &[ObservationDetail]| -> Vec<HandMeasurement> {
+        seen.iter().map(|seen| HandMeasurement { image: seen.image, x_px: seen.x_px, y_px: seen.y_px, by: MeasuredBy::Hand }).collect()
+    };
+    let adjusted = (0..run.model.points.len()).map(|index| point_detail(run, index).unwrap());
+    let known = adjusted.filter(|point| point.observations.iter().all(|seen| seen.part == ObservationPart::Accepted));
+    let mut tried = 0;
+    for PointDetail { position, errors, observations, .. } in known {
+        let (Some(position), Some(errors)) = (position, errors) else { continue };
+        let place = meeting_place(run, &measurements(&observations)).unwrap().unwrap();
+        let off = (0..3).map(|axis| (place[axis] - position[axis]).abs() / errors[axis]).fold(0.0, f64::max);
+        assert!(off < 1.0, "{off} standard errors");
+        tried += 1;
+    }
+    assert!(tried > 50, "{tried}");
+    let [first, ..] = &measurements(&point_detail(run, 0).unwrap().observations)[..] else { unreachable!("a point is seen") };
+    assert_eq!(meeting_place(run, &[*first]).unwrap(), None);
+    // The first image is not oriented.
+    assert_eq!(meeting_place(run, &[*first, HandMeasurement { image: 0, ..*first }]).unwrap(), None);
+    let refused = meeting_place(run, &[HandMeasurement { image: 9, ..*first }]).unwrap_err().to_string();
+    assert!(refused.contains('9') && refused.contains('4'), "{refused}");
 }
 
 /// From a place to a piece of a line.
@@ -469,6 +494,27 @@ fn a_rejected_pair_is_marked_and_supports_no_point_until_it_is_restored() {
     assert_eq!(write_block_project(&saved.with_edits(&[]).unwrap()).unwrap(), write_block_project(run).unwrap());
     let restored = run.with_edits(&[reject, BlockEdit::RestorePairs { pairs: vec![[2, 3]] }]).unwrap();
     assert_eq!((shown_by(&restored, [2, 3]), rejected(&restored)), (shown_by(run, [2, 3]), Vec::new()));
+}
+
+#[test]
+fn edits_that_were_made_together_stay_together_in_the_file() {
+    let run = finished();
+    let edits = [1, 2, 3].map(|point| BlockEdit::RejectPoints { points: vec![PointSource::TiePoint(point)] });
+    let edited = run.with_edits(&edits).unwrap();
+    assert_eq!(edited.edit_steps(), [1, 1, 1]);
+    let stepped = edited.clone().in_steps(&[1, 2]).unwrap();
+    let again = opened(&write_block_project(&stepped).unwrap());
+    assert_eq!((again.edits(), again.edit_steps()), (&edits[..], vec![1, 2]));
+    // A step an edit is not written down.
+    assert_eq!(write_block_project(&edited.clone().in_steps(&[1, 1, 1]).unwrap()).unwrap(), write_block_project(&edited).unwrap());
+    assert_eq!(run.clone().in_steps(&[]).unwrap(), *run);
+    let refused = |steps: &[usize]| edited.clone().in_steps(steps).unwrap_err().to_string();
+    assert_eq!(refused(&[1, 1]), "edits of all steps together: got 2; allowed: 3");
+    assert!(refused(&[usize::MAX, 5]).starts_with("edits of all steps together: got "));
+    assert_eq!(refused(&[3, 0]), "steps of the edits: got one without edits; allowed: one edit or more in each");
+    let mut damaged = stepped;
+    damaged.edited.as_mut().unwrap().steps = vec![7];
+    assert!(write_block_project(&damaged).unwrap_err().to_string().contains("edits of all steps together"));
 }
 
 #[test]

@@ -19,6 +19,9 @@ const blockOf = (points) => ({
   point_ids: () => points.map((point) => ({ tie_point: point })),
   overview: () => ({ points: columnsOf(points) }),
   point_number: (/** @type {object} */ source) => Object.values(source)[0] + ('manual' in source ? 2001 : 1),
+  // Rays meet, but from row 8.
+  meeting_place: (/** @type {{ image: number, x_px: number, y_px: number }[]} */ [first, ...others]) =>
+    first === undefined || others.length === 0 || first.y_px === 8 ? undefined : Float64Array.of(first.x_px, first.y_px, others.length),
   image_points: (/** @type {number} */ image) => ({
     points: Uint32Array.from(points.keys()),
     places: Float64Array.from(points.flatMap((point) => [point, 100 + image])),
@@ -118,4 +121,14 @@ test('a point that was measured in images alone, and does not meet, is shown whe
     [1, 7, 9],
   ]);
   assert.equal(rejected.detail(0), null);
+});
+
+test('a point that was added by hand and rejected lies where its measurements meet', () => {
+  const observations = [0, 1, 3].map((image) => ({ image, x_px: 70 + image, y_px: 90, by: 'hand' }));
+  const { rejected, view } = shown(TIE_POINTS, [
+    { kind: 'add_point', observations },
+    { kind: 'reject_points', points: [{ manual: 0 }] },
+  ]);
+  assert.deepEqual([view.points.count, view.points.lost.size, [...view.points.positions.slice(9)]], [4, 0, [70, 90, 2]]);
+  assert.deepEqual(rejected.detail(3).position, [70, 90, 2]);
 });

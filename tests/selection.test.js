@@ -8,7 +8,7 @@ import { pageModules } from './www.js';
 const page = {};
 
 before(async () => {
-  Object.assign(page, await pageModules(['block/state/selection', 'block/state/reducer', 'block/state/state', 'block/state/address']));
+  Object.assign(page, await pageModules(['block/state/selection', 'block/state/reducer', 'block/state/state', 'block/state/address', 'block/state/edits']));
 });
 
 /** A view of images of these names.  @param {string[]} names */
@@ -151,4 +151,28 @@ test('an image of the block that is placed on the orthophoto is chosen in both, 
     { kind: 'point', point: 4 },
     { image: 12, link: null },
   ]);
+});
+
+test('points that are chosen stay so in a block of the same tie points, and in no other one', () => {
+  const { reduceBlock } = page.reducer;
+  const codes = (/** @type {object[]} */ ...sources) => Float64Array.from(sources, (source) => page.edits.codeOfSource(source));
+  const found = (/** @type {Float64Array} */ sources, /** @type {object[]} */ surveyed = []) => ({
+    ...viewOf('a', 'b'),
+    surveyed,
+    givenControl: surveyed.length,
+    points: { count: sources.length, sources, numbers: new Uint32Array(sources.length), rays: new Uint16Array(sources.length).fill(2) },
+  });
+  const before = found(codes({ tie_point: 4 }, { tie_point: 9 }, { ground_control: 0 }), [{ name: 'G0', control: 0 }]);
+  const chosen = (/** @type {object} */ view, /** @type {object} */ choice) => {
+    const first = reduceBlock(reduceBlock(page.state.BLOCK_INITIAL, shown(before)), { type: 'choose', choice });
+    return reduceBlock(first, shown(view)).selection.chosen;
+  };
+  const point = (/** @type {number} */ index) => ({ kind: 'point', point: index });
+  assert.deepEqual(chosen({ ...before }, point(1)), point(1));
+  assert.deepEqual(chosen({ ...before }, { kind: 'observation', point: 1, image: 1 }), { kind: 'observation', point: 1, image: 1 });
+  assert.deepEqual(chosen({ ...before }, point(2)), point(2));
+  // Other tie points, and another surveyed point of the same number.
+  assert.equal(chosen(found(codes({ tie_point: 4 }, { tie_point: 10 }, { ground_control: 0 }), before.surveyed), point(1)), null);
+  assert.equal(chosen({ ...before, surveyed: [{ name: 'G1', control: 0 }] }, point(2)), null);
+  assert.deepEqual(chosen({ ...before, surveyed: [{ name: 'G1', control: 0 }] }, point(1)), point(1));
 });

@@ -1,4 +1,4 @@
 /** The part of the block as the program loads it, when it is first needed. */
 export { blockCatalogue } from './block/engine/catalogue';
 export { mountBlock } from './block/mount';
-export { openPair } from './block/pair';
+export { masksOf, openPair } from './block/pair';

@@ -165,13 +165,14 @@ async function loadBlock(
 ): Promise<Block> {
   // Its words are said as soon as it is there.
   await learnPart('block');
-  const { blockCatalogue, mountBlock, openPair } = await loadPart('block.js', () => import('./block'));
+  const { blockCatalogue, masksOf, mountBlock, openPair } = await loadPart('block.js', () => import('./block'));
   const ofBlocks = blockCatalogue(catalogue);
   const block = await mountBlock(ofBlocks, {
     ...elsewhere,
     pair: {
       names: () => [pair.store.state.images.left?.name ?? null, pair.store.state.images.right?.name ?? null],
-      watch: (changed) => pair.store.watch(['images'], changed),
+      masks: () => masksOf(pair.store.state),
+      watch: (changed) => pair.store.watch(['images', 'masks'], changed),
     },
     openPair: (store, images) => openPair(store, elsewhere.modes, pair, { putAside: () => elsewhere.putAside(pair.kept), stays: elsewhere.stays }, images),
   });

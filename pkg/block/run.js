@@ -129,8 +129,8 @@ async function digest(bytes) {
 
 /** What a job says of itself, or that its worker broke down; any other error is thrown on.  @param {unknown} error @returns {Failure} */
 function failureOf(error) {
-  const { name, message, code = '', usage = false } = plainError(error);
-  if (name === 'TiepointError') return { kind: 'refused', code, message, usage };
+  const { name, message, code = '', usage = false, error: refusal } = plainError(error);
+  if (name === 'TiepointError') return { kind: 'refused', code, message, usage, ...(refusal && { error: refusal }) };
   // The worker was replaced.
   const breakdown = breakdownOf(error);
   if (breakdown === null) throw error;

@@ -1412,6 +1412,10 @@ export interface ObjectPoint {
      */
     name?: string;
     rays: ImageObservation[];
+    /**
+     * How many of these were measured by hand.
+     */
+    by_hand?: number;
 }
 
 /**
@@ -5148,7 +5152,7 @@ export type NotLinked = { kind: "not_oriented" } | { kind: "own_system"; crs: st
 /**
  * Why a job of a run, or the reading of a file that it needs, failed.
  */
-export type Failure = { kind: "unreadable"; message: string } | { kind: "refused"; code: string; message: string; usage: boolean } | { kind: "broke_off"; message: string } | { kind: "out_of_memory"; message: string };
+export type Failure = { kind: "unreadable"; message: string } | { kind: "refused"; code: string; message: string; usage: boolean; error?: { kind: string } | null } | { kind: "broke_off"; message: string } | { kind: "out_of_memory"; message: string };
 
 /**
  * Why a pair has no orientation.
@@ -5328,9 +5332,14 @@ export class FinishedBlock {
      */
     covariances(names: readonly string[]): string;
     /**
-     * The block as it was found with these edits, whatever edits it has, adjusted anew; without any, as it was found.
+     * How many edits each step has.
      */
-    edited(edits: readonly BlockEdit[]): FinishedBlock;
+    edit_steps(): number[];
+    /**
+     * The block as it was found with these edits, whatever edits it has, adjusted anew; without any, as it was found. `steps`: how many of them each
+     * step has that is undone at once; one where it is absent.
+     */
+    edited(edits: readonly BlockEdit[], steps?: readonly number[]): FinishedBlock;
     /**
      * The edits that it has.
      */
@@ -5352,6 +5361,10 @@ export class FinishedBlock {
      * The observations of an image.
      */
     image_points(image: number): ImagePoints;
+    /**
+     * The place that is nearest to the rays of measurements that take no part: X, Y, Z; absent where they do not meet.
+     */
+    meeting_place(measurements: readonly HandMeasurement[]): Float64Array | undefined;
     /**
      * The model that is written.
      */
@@ -6285,12 +6298,14 @@ export interface InitOutput {
     readonly finishedblock_accuracy: (a: number, b: number, c: number) => [number, number, number];
     readonly finishedblock_carried_edits: (a: number, b: number) => [number, number, number];
     readonly finishedblock_covariances: (a: number, b: any) => [number, number, number, number];
-    readonly finishedblock_edited: (a: number, b: any) => [number, number, number];
+    readonly finishedblock_edit_steps: (a: number) => any;
+    readonly finishedblock_edited: (a: number, b: any, c: any) => [number, number, number];
     readonly finishedblock_edits: (a: number) => any;
     readonly finishedblock_epipolar_line: (a: number, b: any, c: any, d: any, e: any) => [number, number, number, number];
     readonly finishedblock_export: (a: number, b: any, c: any) => [number, number];
     readonly finishedblock_files: (a: number, b: any, c: any, d: number) => [number, number, number];
     readonly finishedblock_image_points: (a: number, b: any) => [number, number, number];
+    readonly finishedblock_meeting_place: (a: number, b: any) => [number, number, number, number];
     readonly finishedblock_model: (a: number) => any;
     readonly finishedblock_on_orthophoto: (a: number) => any;
     readonly finishedblock_open: (a: any) => [number, number, number];

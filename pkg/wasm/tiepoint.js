@@ -364,12 +364,22 @@ export class FinishedBlock {
         }
     }
     /**
-     * The block as it was found with these edits, whatever edits it has, adjusted anew; without any, as it was found.
+     * How many edits each step has.
+     * @returns {number[]}
+     */
+    edit_steps() {
+        const ret = wasm.finishedblock_edit_steps(this.__wbg_ptr);
+        return ret;
+    }
+    /**
+     * The block as it was found with these edits, whatever edits it has, adjusted anew; without any, as it was found. `steps`: how many of them each
+     * step has that is undone at once; one where it is absent.
      * @param {readonly BlockEdit[]} edits
+     * @param {readonly number[]} [steps]
      * @returns {FinishedBlock}
      */
-    edited(edits) {
-        const ret = wasm.finishedblock_edited(this.__wbg_ptr, edits);
+    edited(edits, steps) {
+        const ret = wasm.finishedblock_edited(this.__wbg_ptr, edits, steps);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -437,6 +447,23 @@ export class FinishedBlock {
             throw takeFromExternrefTable0(ret[1]);
         }
         return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * The place that is nearest to the rays of measurements that take no part: X, Y, Z; absent where they do not meet.
+     * @param {readonly HandMeasurement[]} measurements
+     * @returns {Float64Array | undefined}
+     */
+    meeting_place(measurements) {
+        const ret = wasm.finishedblock_meeting_place(this.__wbg_ptr, measurements);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        let v1;
+        if (ret[0] !== 0) {
+            v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+            wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+        }
+        return v1;
     }
     /**
      * The model that is written.

@@ -37,6 +37,12 @@ impl Pose {
         self.rotation.map(|row| row[0] * d[0] + row[1] * d[1] + row[2] * d[2])
     }
 
+    /// The direction in the object space of the ray that is seen at (x, y), as [`Camera::direction`](crate::Camera::direction) has it.
+    pub(crate) fn ray(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+        let m = &self.rotation;
+        [0, 1, 2].map(|k| m[0][k] * x - m[1][k] * y - m[2][k])
+    }
+
     /// Turned by three small angles about the photo's axes and shifted.
     pub(crate) fn moved(&self, step: &[f64; 6]) -> Self {
         let turn = turn_of([step[0], step[1], step[2]]);

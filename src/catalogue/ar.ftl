@@ -513,7 +513,11 @@ rule-alike = اختير لتشابه الصورتين
 ## Why a file was skipped, or a job of a run failed.
 
 failure-unreadable = { $message }
-failure-refused = { $message }
+failure-refused =
+    { $error ->
+        [none] { $message }
+       *[other] { $error }
+    }
 failure-broke-off = انقطع الحساب بعطل في البرنامج ({ $message }): نرجو الإبلاغ عنه
 failure-out-of-memory = نفدت الذاكرة ({ $message })
 
@@ -1575,6 +1579,7 @@ refusal-pair-place = موضع مطابقة معدَّلة: أُعطي { $got }؛
 refusal-pair-rejected = مطابقة مرفوضة من الزوج: أُعطي { $index }؛ المسموح: مطابقات دون { $matches }
 refusal-project-connection = وصلة المشروع: أُعطي [{ $images }]؛ المسموح: صورتان دون { $count } بترتيب تصاعدي
 refusal-project-geoid = جيوئيد المشروع: أُعطيت أعداد ليست أعداد شبكة؛ المسموح: ارتفاعات بعدد الصفوف والأعمدة، اثنان أو أكثر
+refusal-step-without-edits = خطوات التعديلات: أُعطيت خطوة بلا تعديلات؛ المسموح: تعديل أو أكثر في كل خطوة
 refusal-project-edits = تعديلات المشروع: أُعطيت تعديلات كتلة غير موجَّهة؛ المسموح: تعديلات كتلة موجَّهة
 refusal-project-image = صورة المشروع: أُعطيت '{ $name }' من الكاميرا { $camera }؛ المسموح: '{ $other }' من الكاميرا { $other_camera }
 refusal-project-index = نموذج المشروع: أُعطي الرقم { $index }؛ المسموح: صور دون { $images } وكاميرات دون { $cameras }
@@ -1606,6 +1611,7 @@ input-geometries-of-project = هندسات المشروع
 input-images-of-project = صور المشروع
 input-cameras-of-project = كاميرات المشروع
 input-points-of-project = نقاط المشروع
+input-edits-of-steps = تعديلات كل الخطوات معًا
 input-observations-of-point = أرصاد نقطة من المشروع
 input-images-of-model = صور نموذج من المشروع
 input-images-of-block = صور كتلة مضبوطة من المشروع

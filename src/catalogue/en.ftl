@@ -704,6 +704,7 @@ refusal-pair-place = place of an edited match: got { $got }; allowed: finite num
 refusal-pair-rejected = rejected match of the pair: got { $index }; allowed: matches below { $matches }
 refusal-project-connection = connection of the project: got [{ $images }]; allowed: two images below { $count } in ascending order
 refusal-project-geoid = geoid of the project: got numbers that are none of a grid; allowed: as many heights as it has rows and columns, two or more
+refusal-step-without-edits = steps of the edits: got one without edits; allowed: one edit or more in each
 refusal-project-edits = edits of the project: got those of a block that is not oriented; allowed: edits of an oriented block
 refusal-project-image = image of the project: got '{ $name }' of camera { $camera }; allowed: '{ $other }' of camera { $other_camera }
 refusal-project-index = model of the project: got index { $index }; allowed: images below { $images } and cameras below { $cameras }
@@ -736,6 +737,7 @@ input-geometries-of-project = geometries of the project
 input-images-of-project = images of the project
 input-cameras-of-project = cameras of the project
 input-points-of-project = points of the project
+input-edits-of-steps = edits of all steps together
 input-observations-of-point = observations of a point of the project
 input-images-of-model = images of a model of the project
 input-images-of-block = images of an adjusted block of the project
@@ -1035,7 +1037,11 @@ rule-alike = chosen because the images are similar
 ## Why a file was skipped, or a job of a run failed.
 
 failure-unreadable = { $message }
-failure-refused = { $message }
+failure-refused =
+    { $error ->
+        [none] { $message }
+       *[other] { $error }
+    }
 failure-broke-off = the computation broke off at a fault of the program ({ $message }): please report it
 failure-out-of-memory = memory ran out ({ $message })
 

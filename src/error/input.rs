@@ -42,6 +42,7 @@ messages! {
         ImagesOfProject,
         CamerasOfProject,
         PointsOfProject,
+        EditsOfSteps,
         ObservationsOfPoint,
         ImagesOfModel,
         ImagesOfBlock,

@@ -324,6 +324,11 @@ messages! {
 
 impl From<&Error> for Failure {
     fn from(error: &Error) -> Self {
-        Self::Refused { code: error.code().into(), message: error.to_string(), usage: error.is_usage() }
+        Self::Refused {
+            code: error.code().into(),
+            message: error.to_string(),
+            usage: error.is_usage(),
+            error: serde_json::to_value(error).ok().map(Box::new),
+        }
     }
 }

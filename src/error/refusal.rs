@@ -312,6 +312,7 @@ messages! {
         PairRejected { index: usize, matches: usize },
         ProjectConnection { images: [u32; 2], count: usize },
         ProjectEdits,
+        StepWithoutEdits,
         ProjectGeoid,
         ProjectImage { name: String, camera: usize, other: String, other_camera: usize },
         ProjectIndex { index: usize, images: usize, cameras: usize },

@@ -126,7 +126,16 @@ fn read_points(text: &str, images: &Numbers, features: &Features) -> Result<Vec<
         if points
             .insert(
                 number,
-                ObjectPoint { number: u32::try_from(number).ok(), position, colour, rmse_px, confidence: 1.0, name: None, rays },
+                ObjectPoint {
+                    number: u32::try_from(number).ok(),
+                    position,
+                    colour,
+                    rmse_px,
+                    confidence: 1.0,
+                    name: None,
+                    rays,
+                    by_hand: 0,
+                },
             )
             .is_some()
         {

@@ -5,7 +5,8 @@ use crate::math::geographic_from_local;
 use crate::{BlockModel, Error, Refusal};
 use serde_json::{Value, json};
 
-/// A collection of features: a point for each oriented image and for each intersected point.
+/// A collection of features: a point for each oriented image and for each intersected point; `by_hand`: how many of its observations were measured by
+/// hand.
 ///
 /// # Errors
 /// [`Error::InvalidInput`] for a block without an origin on the earth: GeoJSON knows longitudes and latitudes alone.
@@ -26,7 +27,7 @@ pub(super) fn write_geojson(model: &BlockModel) -> Result<String, Error> {
     let images = model.images.iter().filter_map(|image| Some(feature(image.pose?.position, json!({"kind": "image", "name": image.name}))));
     let points = model.points.iter().zip(model.point_numbers()).filter_map(|(point, number)| {
         let properties =
-            json!({"kind": "point", "point": number, "rays": point.rays.len(), "confidence": point.confidence, "rmse_px": point.rmse_px});
+            json!({"kind": "point", "point": number, "rays": point.rays.len(), "by_hand": point.by_hand, "confidence": point.confidence, "rmse_px": point.rmse_px});
         Some(feature(point.position?, properties))
     });
     let features: Vec<String> = images.chain(points).map(|feature| feature.to_string()).collect();

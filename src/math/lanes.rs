@@ -219,31 +219,10 @@ impl Lanes {
     }
 }
 
-/// One operator, of both kinds of vectors.
-macro_rules! operator {
-    ($name:ident, $method:ident, $simd:ident, $sign:tt) => {
-        impl std::ops::$name for Lanes {
-            type Output = Self;
-
-            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Self($simd(self.0, other.0))
-            }
-
-            #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Self(std::array::from_fn(|k| self.0[k] $sign other.0[k]))
-            }
-        }
-    };
-}
-
-operator!(Add, add, f32x4_add, +);
-operator!(Sub, sub, f32x4_sub, -);
-operator!(Mul, mul, f32x4_mul, *);
-operator!(Div, div, f32x4_div, /);
+vector_operator!(Lanes, Add, add, f32x4_add, |a, b| std::array::from_fn(|k| a[k] + b[k]));
+vector_operator!(Lanes, Sub, sub, f32x4_sub, |a, b| std::array::from_fn(|k| a[k] - b[k]));
+vector_operator!(Lanes, Mul, mul, f32x4_mul, |a, b| std::array::from_fn(|k| a[k] * b[k]));
+vector_operator!(Lanes, Div, div, f32x4_div, |a, b| std::array::from_fn(|k| a[k] / b[k]));
 
 #[cfg(test)]
 mod tests {

@@ -1,5 +1,8 @@
 //! What nalgebra lacks: quantiles, real roots of polynomials, order statistics, seeded random numbers, consensus; places on the earth.
 
+#[macro_use]
+mod operator;
+
 mod consensus;
 mod distribution;
 mod geodesy;
@@ -8,6 +11,7 @@ mod null_space;
 mod pairs;
 mod polynomial;
 mod random;
+mod rays;
 mod statistics;
 mod student;
 mod two;
@@ -25,6 +29,7 @@ pub(crate) use null_space::null_space;
 pub(crate) use pairs::Pairs;
 pub(crate) use polynomial::{MAX_DEGREE, real_roots};
 pub(crate) use random::Random;
+pub(crate) use rays::nearest_to_rays;
 pub(crate) use statistics::{MEDIAN_BY_MEAN, MEDIAN_LENGTH, NORMAL_MEDIAN, median, smallest, weighted_median};
 pub(crate) use student::{detectable_shift, f_limit, joint_limit, ln_choices, ln_f_above, student_limit, tau_limit, variance_left};
 pub(crate) use two::Two;

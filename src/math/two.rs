@@ -83,31 +83,10 @@ impl Two {
     }
 }
 
-/// One operator, of both kinds of vectors.
-macro_rules! operator {
-    ($name:ident, $method:ident, $simd:ident, $sign:tt) => {
-        impl std::ops::$name for Two {
-            type Output = Self;
-
-            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Self($simd(self.0, other.0))
-            }
-
-            #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Self(self.0 $sign other.0)
-            }
-        }
-    };
-}
-
-operator!(Add, add, f64x2_add, +);
-operator!(Sub, sub, f64x2_sub, -);
-operator!(Mul, mul, f64x2_mul, *);
-operator!(Div, div, f64x2_div, /);
+vector_operator!(Two, Add, add, f64x2_add, |a, b| a + b);
+vector_operator!(Two, Sub, sub, f64x2_sub, |a, b| a - b);
+vector_operator!(Two, Mul, mul, f64x2_mul, |a, b| a * b);
+vector_operator!(Two, Div, div, f64x2_div, |a, b| a / b);
 
 #[cfg(test)]
 mod tests {

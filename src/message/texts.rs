@@ -150,6 +150,12 @@ impl Texts {
         })
     }
 
+    /// Whether this language or English has a text of a message of a family.
+    fn knows(&self, family: &str, message: &Value) -> bool {
+        let id = Self::id_of(family, message);
+        self.has(&id, None) || Self::english().has(&id, None)
+    }
+
     pub(super) fn entry(&self, id: &str, attribute: Option<&str>, figures: &FluentArgs) -> String {
         let entry = self.bundle.get_message(id);
         let pattern = entry.and_then(|entry| match attribute {
@@ -170,7 +176,9 @@ impl Texts {
             Value::Null => "none".into(),
             Value::Bool(is) => is.to_string(),
             Value::Number(number) => return figures.set(name.to_string(), number.as_f64().unwrap_or(f64::NAN)),
-            _ if NESTED.contains(&name) => self.text_of(name, value, None),
+            _ if NESTED.contains(&name) && self.knows(name, value) => self.text_of(name, value, None),
+            // Of another build, which names it otherwise.
+            Value::Object(_) if NESTED.contains(&name) => "none".into(),
             Value::String(text) => text.clone(),
             Value::Array(items) => {
                 figures.set(format!("{name}_count"), items.len());

@@ -54,6 +54,9 @@ pub struct ObjectPoint {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     pub rays: Vec<ImageObservation>,
+    /// How many of these were measured by hand.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub by_hand: usize,
 }
 
 /// The measured position of a point in one image.
@@ -102,6 +105,10 @@ fn one() -> f64 {
     1.0
 }
 
+fn is_zero(count: &usize) -> bool {
+    *count == 0
+}
+
 fn grey() -> [u8; 3] {
     [128; 3]
 }
@@ -124,6 +131,7 @@ pub(crate) fn tiny_block() -> BlockModel {
         confidence: 1.0,
         name: None,
         rays: rays.into(),
+        by_hand: 0,
     };
     BlockModel {
         cameras: vec![Camera { pixel_mm: Some(0.01), ..Camera::without_distortion(400, 300, 500.0) }],

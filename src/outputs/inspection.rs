@@ -197,9 +197,7 @@ pub fn block_epipolar_line(run: &BlockRun, from: usize, place_px: [f64; 2], to: 
         return Err(refuse_option("place_px", format!("{place_px:?}"), Allowed::Finite { numbers: 2 }));
     }
     let (Some(pose), Some(depth)) = (images[from].pose, median_depth(run, from)) else { return Ok(Vec::new()) };
-    let [x, y] = run.model.cameras[images[from].camera].direction(place_px)?;
-    let m = &pose.rotation;
-    let along = [0, 1, 2].map(|k| m[0][k] * x - m[1][k] * y - m[2][k]);
+    let along = pose.ray(run.model.cameras[images[from].camera].direction(place_px)?);
     let step = libm::pow(FARTHEST / NEAREST, 1.0 / STEPS as f64);
     let at = |i: usize| {
         let length = depth * NEAREST * libm::pow(step, i as f64);

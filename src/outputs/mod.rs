@@ -11,6 +11,7 @@ mod given_points;
 mod images;
 mod in_system;
 mod inspection;
+mod meeting;
 mod orientation_summary;
 mod overview;
 mod pair;
@@ -36,6 +37,7 @@ pub use in_system::ResultSystem;
 pub use inspection::{
     ImagePlace, ImagePoint, ObservationDetail, ObservationPart, PointDetail, block_epipolar_line, image_points, point_detail, point_ids,
 };
+pub use meeting::meeting_place;
 pub use orientation_summary::SystematicSummary;
 pub use overview::{BlockOverview, CameraRow, FoundPoints, PointColumns, RayCount};
 pub use pair::{PairEdits, PairPhoto, PairRun, PairTruth};

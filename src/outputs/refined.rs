@@ -60,6 +60,7 @@ mod tests {
             colour: [0; 3],
             rmse_px: None,
             confidence: 1.0,
+            by_hand: 0,
             name: None,
             rays: rays
                 .iter()

@@ -12,7 +12,7 @@ use super::{BlockRun, EditedRun, OnOrthophoto};
 use crate::editing::{BlockEdit, FoundBlock, edited_model};
 use crate::error::refuse;
 use crate::reconstruction::PLACING;
-use crate::{Error, GroundControlRow, ObservationVerdict, PointSource, ReconstructedModel, ReconstructionOptions, Refusal, Remark};
+use crate::{Error, GroundControlRow, Input, ObservationVerdict, PointSource, ReconstructedModel, ReconstructionOptions, Refusal, Remark};
 use std::collections::BTreeSet;
 use std::mem::discriminant;
 
@@ -20,6 +20,35 @@ impl BlockRun {
     /// The edits that were applied to the block as it was found.
     pub fn edits(&self) -> &[BlockEdit] {
         self.edited.as_ref().map_or(&[], |edited| &edited.edits)
+    }
+
+    /// How many edits each step has: those of a step are undone together.
+    pub fn edit_steps(&self) -> Vec<usize> {
+        match &self.edited {
+            Some(edited) if edited.steps.is_empty() => vec![1; edited.edits.len()],
+            Some(edited) => edited.steps.clone(),
+            None => Vec::new(),
+        }
+    }
+
+    /// The same block, whose edits were made in steps of so many.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for steps of no edits, and for those that have more or fewer together than the block.
+    pub fn in_steps(mut self, steps: &[usize]) -> Result<Self, Error> {
+        check_steps(self.edits(), steps)?;
+        if let Some(edited) = &mut self.edited {
+            edited.steps = if steps.iter().all(|edits| *edits == 1) { Vec::new() } else { steps.to_vec() };
+        }
+        Ok(self)
+    }
+
+    /// The block as it was found with the edits of another one, in its steps.
+    ///
+    /// # Errors
+    /// As [`with_edits`](Self::with_edits).
+    pub(super) fn with_edits_of(&self, other: &Self) -> Result<Self, Error> {
+        self.with_edits(other.edits())?.in_steps(&other.edit_steps())
     }
 
     /// The block as it was found, without any edits.
@@ -116,6 +145,7 @@ impl BlockRun {
         let orthophoto = placed.or_else(|| found.orthophoto.clone());
         let record = EditedRun {
             edits: edits.to_vec(),
+            steps: Vec::new(),
             reconstruction: before,
             model: found.model.clone(),
             orthophoto: found.orthophoto.clone().filter(|before| orthophoto.as_ref() != Some(before)),
@@ -124,6 +154,15 @@ impl BlockRun {
         remarks.extend(is_unsupported.then_some(Remark::UnsupportedEdits));
         Ok(Self { reconstruction: Ok(assembly), model: written, edited: Some(Box::new(record)), remarks, orthophoto, ..found })
     }
+}
+
+/// Refuses steps that do not have all edits, each one or more.
+pub(crate) fn check_steps(edits: &[BlockEdit], steps: &[usize]) -> Result<(), Error> {
+    let all = steps.iter().fold(0, |sum: usize, edits| sum.saturating_add(*edits));
+    if all != edits.len() {
+        return refuse(Refusal::Count { input: Input::EditsOfSteps, got: all, wanted: edits.len() });
+    }
+    if steps.contains(&0) { refuse(Refusal::StepWithoutEdits) } else { Ok(()) }
 }
 
 /// What is to be said of the places of an orthophoto that edits add, of each kind once: not what was said of the orthophoto before.

@@ -55,7 +55,7 @@ impl BlockRun {
         found.remarks.extend_from_slice(remarks);
         match Ground::new(&found, points, epsg)?.adjusted()? {
             Ok(run) => Ok(run),
-            Err(not_linked) => found.not_linked(not_linked)?.with_edits(self.edits()),
+            Err(not_linked) => found.not_linked(not_linked)?.with_edits_of(self),
         }
     }
 
@@ -65,7 +65,7 @@ impl BlockRun {
     /// # Errors
     /// As [`with_edits`](Self::with_edits).
     pub(crate) fn not_linked(&self, not_linked: NotLinked) -> Result<Self, Error> {
-        Self { orthophoto: Some(OnOrthophoto::NotLinked { not_linked }), ..self.found() }.with_edits(self.edits())
+        Self { orthophoto: Some(OnOrthophoto::NotLinked { not_linked }), ..self.found() }.with_edits_of(self)
     }
 }
 

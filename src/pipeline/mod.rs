@@ -57,6 +57,7 @@ pub use cameras::{CameraRules, InitialCamera};
 pub use carried_edits::CarriedEdits;
 pub use carrying::{CarriedSteps, Carrying, EditNames, carried_steps};
 pub use control::ControlTables;
+pub(crate) use edited::check_steps;
 pub use execute::execute;
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::replace_file;

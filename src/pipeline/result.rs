@@ -93,6 +93,9 @@ impl BlockRun {
 pub struct EditedRun {
     /// In their order.
     pub edits: Vec<BlockEdit>,
+    /// How many of them each step has, where some were made together; empty where each is a step.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub steps: Vec<usize>,
     pub reconstruction: Reconstruction,
     pub model: BlockModel,
     /// What had come of the orthophoto, where edits made something else of it.

@@ -4,9 +4,8 @@ use super::frame::Frame;
 use super::result::{PointSource, ReconstructedModel};
 use super::warning::{BlockWarning, ControlApart};
 use crate::ObservationVerdict;
-use crate::math::{dot3, median, minus};
+use crate::math::{dot3, median, minus, nearest_to_rays};
 use crate::model::{BlockDescription, ControlRole, GroundControlPoint};
-use nalgebra::{Matrix3, Vector3};
 use std::collections::BTreeMap;
 
 /// Of the measured control points, by which share more are lost than single slips explain.
@@ -103,26 +102,15 @@ fn meeting(model: &ReconstructedModel, description: &BlockDescription, point: &G
         let camera = &block.cameras[image.camera];
         let height_px = f64::from(description.cameras[description.images[seen.image].camera].height_px);
         let at = [seen.x_px, if row == Row::FromTop { seen.y_px } else { height_px - seen.y_px }];
-        let [x, y] = camera.direction(at).ok()?;
-        let m = image.pose.rotation;
-        let along = Vector3::from([0, 1, 2].map(|k| m[0][k] * x - m[1][k] * y - m[2][k])).normalize();
-        Some((image.pose, camera, at, along))
+        Some((image.pose, camera, at, image.pose.ray(camera.direction(at).ok()?)))
     });
     let rays: Vec<_> = rays.collect();
-    // The place with the least sum of squared distances from the rays.
-    let (mut normal, mut right) = (Matrix3::<f64>::zeros(), Vector3::<f64>::zeros());
-    for (pose, _, _, along) in &rays {
-        let across = Matrix3::identity() - along * along.transpose();
-        normal += across;
-        right += across * Vector3::from(pose.position);
-    }
-    let place = normal.cholesky().map(|normal| normal.solve(&right))?;
-    let meet = rays.len() >= 2
-        && rays.iter().all(|(pose, camera, at, _)| {
-            let [u, v, w] = pose.to_photo(&place.into());
-            let [x, y] = camera.project(-u / w, v / w);
-            let off = minus(&[x, y, 0.0], &[at[0], at[1], 0.0]);
-            w < 0.0 && dot3(&off, &off) < MEETING_PX * MEETING_PX
-        });
-    meet.then(|| place.into())
+    let place = nearest_to_rays(rays.iter().map(|(pose, _, _, along)| (pose.position, *along)))?;
+    let meet = rays.iter().all(|(pose, camera, at, _)| {
+        let [u, v, w] = pose.to_photo(&place);
+        let [x, y] = camera.project(-u / w, v / w);
+        let off = minus(&[x, y, 0.0], &[at[0], at[1], 0.0]);
+        w < 0.0 && dot3(&off, &off) < MEETING_PX * MEETING_PX
+    });
+    meet.then_some(place)
 }

@@ -33,9 +33,10 @@ impl Reconstruction {
         let block = &own.adjusted.block;
         own.cameras.iter().zip(&block.cameras).for_each(|(camera, calibrated)| whole.cameras[*camera] = *calibrated);
         own.images.iter().zip(&block.images).for_each(|(image, oriented)| whole.images[*image].pose = Some(oriented.pose));
-        let mut rays = vec![Vec::new(); block.points.len()];
-        for (ray, statistics) in block.rays.iter().zip(&own.adjusted.rays) {
+        let (mut rays, mut by_hand) = (vec![Vec::new(); block.points.len()], vec![0; block.points.len()]);
+        for ((ray, statistics), source) in block.rays.iter().zip(&own.adjusted.rays).zip(&own.rays) {
             if statistics.verdict == ObservationVerdict::Accepted {
+                by_hand[ray.point] += usize::from(source.by_hand);
                 rays[ray.point].push(ImageObservation { image: own.images[ray.image], x_px: ray.x_px, y_px: ray.y_px, confidence: 1.0 });
             }
         }
@@ -49,7 +50,7 @@ impl Reconstruction {
             };
             let number = Some(numbers.of(own.points[point]));
             let (position, rmse_px) = (Some(block.points[point]), Some(statistics.rmse_px));
-            whole.points.push(ObjectPoint { number, position, colour: [128; 3], rmse_px, confidence, name, rays });
+            whole.points.push(ObjectPoint { number, position, colour: [128; 3], rmse_px, confidence, name, rays, by_hand: by_hand[point] });
         }
         Ok(whole)
     }

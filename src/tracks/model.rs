@@ -39,6 +39,7 @@ impl BlockModel {
                 confidence: f64::from(points.confidence(index)),
                 name: None,
                 rays,
+                by_hand: 0,
             })
         };
         let added = chosen.iter().map(point).collect::<Result<Vec<_>, _>>()?;

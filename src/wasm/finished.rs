@@ -3,10 +3,10 @@
 use super::convert::{JsResult, Number, ProjectFile, Text, emitting, numbers, object, pack, read, set, thrown, whole, wrong_project};
 use super::message::texts_of;
 use crate::{
-    BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockPlaces, BlockRun, BlockScore, Carrying, ExportFormat, FileFault, ImagePoint,
-    ObservationPart, PointColumns, Project, accuracy_map, block_covariances, block_epipolar_line, carried_steps as steps_carried,
-    check_truth, covariance_table, export_run, image_points, planned_files as plan, point_detail, point_ids, read_project, score_block,
-    write_block_project,
+    BlockEdit, BlockFiles, BlockModel, BlockOverview, BlockPlaces, BlockRun, BlockScore, Carrying, ExportFormat, FileFault,
+    HandMeasurement, ImagePoint, ObservationPart, PointColumns, Project, accuracy_map, block_covariances, block_epipolar_line,
+    carried_steps as steps_carried, check_truth, covariance_table, export_run, image_points, meeting_place, planned_files as plan,
+    point_detail, point_ids, read_project, score_block, write_block_project,
 };
 use js_sys::{Function, Uint8Array, Uint16Array, Uint32Array};
 use std::rc::Rc;
@@ -133,16 +133,32 @@ impl FinishedBlock {
         Ok(packed)
     }
 
-    /// The block as it was found with these edits, whatever edits it has, adjusted anew; without any, as it was found.
-    pub fn edited(&self, #[wasm_bindgen(unchecked_param_type = "readonly BlockEdit[]")] edits: &JsValue) -> JsResult<FinishedBlock> {
+    /// The block as it was found with these edits, whatever edits it has, adjusted anew; without any, as it was found. `steps`: how many of them each
+    /// step has that is undone at once; one where it is absent.
+    pub fn edited(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "readonly BlockEdit[]")] edits: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "readonly number[]")] steps: &JsValue,
+    ) -> JsResult<FinishedBlock> {
         let edits: Vec<BlockEdit> = read("edits", edits)?;
-        self.run.with_edits(&edits).map(Self::of).map_err(thrown)
+        let steps: Option<Vec<usize>> = read("steps", steps)?;
+        let run = self.run.with_edits(&edits).and_then(|run| match steps {
+            Some(steps) => run.in_steps(&steps),
+            None => Ok(run),
+        });
+        run.map(Self::of).map_err(thrown)
     }
 
     /// The edits that it has.
     #[wasm_bindgen(unchecked_return_type = "BlockEdit[]")]
     pub fn edits(&self) -> JsValue {
         pack(&self.run.edits())
+    }
+
+    /// How many edits each step has.
+    #[wasm_bindgen(unchecked_return_type = "number[]")]
+    pub fn edit_steps(&self) -> JsValue {
+        pack(&self.run.edit_steps())
     }
 
     /// Its places of an orthophoto, by which edits of them are carried to the same block once it is placed anew.
@@ -206,6 +222,15 @@ impl FinishedBlock {
         let (from, to) = (whole("index of the image", from)?, whole("index of the other image", to)?);
         let at = [x_px.read("x_px")?, y_px.read("y_px")?];
         block_epipolar_line(&self.run, from, at, to).map(|line| line.into_iter().flatten().collect()).map_err(thrown)
+    }
+
+    /// The place that is nearest to the rays of measurements that take no part: X, Y, Z; absent where they do not meet.
+    pub fn meeting_place(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "readonly HandMeasurement[]")] measurements: &JsValue,
+    ) -> JsResult<Option<Vec<f64>>> {
+        let measurements: Vec<HandMeasurement> = read("measurements", measurements)?;
+        Ok(meeting_place(&self.run, &measurements).map_err(thrown)?.map(Into::into))
     }
 
     /// The covariances of images, points and cameras with these names as a table of text: each row an unknown with its unit, adjusted value and standard

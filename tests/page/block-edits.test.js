@@ -173,7 +173,10 @@ test('observations and images are rejected, a point is measured by keyboard, all
   await part(page, 'search-text').fill('copy tables');
   const copies = await undoing.allTextContents();
   assert.ok(copies.length > 3 && new Set(copies).size === copies.length, copies.join('\n'));
-  await part(page, 'search-close').click();
+  // So are the choices of lists.
+  await part(page, 'search-text').fill('format bingo');
+  await page.keyboard.press('Enter');
+  assert.equal(await part(page, 'block-export-kind').inputValue(), 'bingo');
   await part(page, 'tab-block-edits').click();
   assert.equal((await part(page, 'block-rejected').textContent())?.trim(), 'photo_0.png Restore');
   await part(page, 'block-history-0').click();

@@ -224,7 +224,7 @@ test('a block of which nothing could be oriented is no success', { skip: SKIP },
   await close();
 });
 
-test('masks of the block leave features out, and one of no image is told', { skip: SKIP }, async () => {
+test('masks of the block leave features out, are those of its pairs, and come from these; one of no image is told', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block();
   const folder = photoFolder(2);
   await part(page, 'block-folder-input').setInputFiles(folder);
@@ -244,6 +244,20 @@ test('masks of the block leave features out, and one of no image is told', { ski
     Number(text.replaceAll(/\D/g, '')),
   );
   assert.ok((features[0] ?? 0) < 0.75 * (features[1] ?? 0), features.join());
+
+  // A pair of the block has its masks, and what is masked there can be masked in the block.
+  await part(page, 'tab-block-pairs').click();
+  await page.locator('[data-testid="block-pairs"] tbody tr:not(.filler)').first().click();
+  await part(page, 'block-open-pair').click();
+  await part(page, 'unmask-left').waitFor();
+  assert.ok(await part(page, 'masks-to-block').isHidden());
+  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), part(page, 'mask-right').click()]);
+  await chooser.setFiles(upload('painted.png', half, 'image/png'));
+  await part(page, 'masks-to-block').click();
+  assert.ok(await part(page, 'masks-to-block').isHidden());
+  await part(page, 'back-to-block').click();
+  await status(page, /press Run\. The masks of photo_1\.png are those of the block now\./);
+  assert.match((await part(page, 'block-masks-name').textContent()) ?? '', /3 masks: photo_0_mask\.png, other\.png, photo_1\.png\.png/);
   rmSync(folder, { recursive: true });
   assert.deepEqual(complaints, []);
   await close();

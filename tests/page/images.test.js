@@ -160,6 +160,11 @@ test('a tie point that was chosen before the images were first shown opens at th
   // It fills its pane, or is as large as it is.
   const fills = Math.max(1, frame.width / 480, frame.height / 360);
   assert.ok(Math.abs(scale / fills - 1) < 0.05, `${scale} and not ${fills}`);
+  // What is begun by a button goes on by the keys of the images.
+  await part(page, 'block-match').click();
+  await status(page, /Matched in [23] of [23] images\. Enter accepts\./);
+  await page.keyboard.press('Escape');
+  await says(page, 'block-edit-text', /^$/);
   // In low panes, as many images have, nothing lies over the point in the middle.
   for (const height of [124, 64]) {
     await page.evaluate((px) => {

@@ -5,7 +5,7 @@ import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { block, status, surveyedFolder } from './blocks.js';
-import { hosted, keptEdits, part, says, SHOTS, SKIP, upload } from './page.js';
+import { hosted, keptEdits, part, saved, says, SHOTS, SKIP, upload } from './page.js';
 
 hosted('/surveyed/');
 
@@ -99,6 +99,14 @@ test('a control point is measured where it is predicted, used as check point, le
   await undoIs(page, /^Undo: split 1 point into 2 \(/);
   await says(page, 'image-point', /^Point by hand [\d\u202f]+ .* 2 rays/u);
   await page.screenshot({ path: join(SHOTS, 'surveyed-split.png') });
+  // One step also where its file is opened elsewhere.
+  await part(page, 'block-export-kind').selectOption('project');
+  const project = await saved(page, 'block-export');
+  const other = await block();
+  await part(other.page, 'block-files-input').setInputFiles(upload('split.tiepoint', project));
+  await undoIs(other.page, /^Undo: split 1 point into 2 \(/);
+  assert.deepEqual(other.complaints, []);
+  await other.close();
   await part(page, 'block-points-filter-point-rays').fill('');
   await part(page, 'block-points-filter-point-part').fill('accepted');
   await page.locator('[data-testid="block-points"]').focus();
@@ -129,6 +137,7 @@ test('a control point is measured where it is predicted, used as check point, le
   await keptEdits(page, 'block/edits', edits - 1, 5);
   await page.reload();
   await status(page, /Restored from this browser/);
+  assert.equal(await part(page, 'tab-block-points').getAttribute('aria-selected'), 'true');
   await part(page, 'block-run').click();
   await status(page, /[2-9] edits by hand were kept\.$/);
   await undoIs(page, /^Undo: reject 1 point \(/);

@@ -98,11 +98,12 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   const placing = new PlacingEngine(store);
   const onGround = new BlockPlacing(store, engine, placing);
   const runs = new BlockRuns(store, engine, placing, onGround, new GroundFiles(store, placing));
-  const kept = new KeptBlocks(store, engine, catalogue, () => {
+  const leave = () => {
     placing.cancel();
     onGround.cancel();
     engine.leave();
-  });
+  };
+  const kept = new KeptBlocks(store, engine, catalogue, leave, () => void files.actions.run());
   const files = new BlockFiles(store, engine, placing, runs, openProject, () => putAside(kept), left, stays);
   const looking = {
     choose: (choice: Choice | null) => store.dispatch({ type: 'choose', choice }),
@@ -129,7 +130,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   byId('page-actions').before(actions, exports);
   byId('menu').before(drawers);
   document.querySelector('body > main')?.after(main);
-  document.querySelector('body > main')?.before(mountBack(store, modes, beside));
+  document.querySelector('body > main')?.before(mountBack(store, modes, beside, (masks) => files.beside.takePairMasks(masks)));
   showIn(modes, 'block', [actions, exports, drawers, main]);
 
   const pick = mountActions(actions, store, files);

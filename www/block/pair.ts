@@ -6,9 +6,13 @@ import type { Here } from '../shared/files/leaving';
 import type { Modes } from '../shared/state/mode';
 import { hasData, isWorthKeeping } from '../pair/state/kept';
 import { SIDES } from '../pair/state/state';
-import type { GivenImage, Side, State } from '../pair/state/state';
+import { MASK_SIDE } from '../pair/files/beside';
+import type { GivenImage, GivenMask, Side, State } from '../pair/state/state';
 import type { Store } from '../pair/state/store';
+import { isLacking } from './state/lacking';
 import { cameraOfImages } from './state/pair-camera';
+import { maskOf } from './state/masks';
+import type { PairMask } from './state/masks';
 import type { BlockFile } from './state/state';
 import type { BlockStore } from './engine/engine';
 import { titleOf } from '../shared/text/project';
@@ -80,9 +84,11 @@ async function opened(
   }
   const images: Record<Side, GivenImage> = { left: imageOf(left), right: imageOf(right) };
   let camera: CameraMm | null;
+  let masks: Record<Side, GivenMask | null>;
   try {
     camera = cameraOfImages(shown.view, a, b);
     await Promise.all([engine.open('left', images.left), engine.open('right', images.right)]);
+    masks = { left: await maskFor(engine, block, left), right: await maskFor(engine, block, right) };
     here();
   } catch (error) {
     here();
@@ -93,8 +99,9 @@ async function opened(
   if (stays === null) return;
   readyFor(store, block, camera);
   store.dispatch({ type: 'images', images });
-  const { camera: known, offset, photos, masks } = store.state;
-  given = { camera: known, offset, photos, masks };
+  for (const side of SIDES) if (masks[side] !== null) store.dispatch({ type: 'mask', side, mask: masks[side] });
+  const { state } = store;
+  given = { camera: state.camera, offset: state.offset, photos: state.photos, masks: state.masks };
   if (stays !== '') store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('stay-under-projects', { title_of: stays }) } });
   block.dispatch({ type: 'openedPair', images: [a, b] });
   modes.dispatch('pair');
@@ -115,8 +122,24 @@ function readyFor(store: Store, block: BlockStore, camera: CameraMm | null): voi
   store.dispatch({ type: 'offset', offset: null });
   for (const side of SIDES) {
     store.dispatch({ type: 'photo', side, photo: { fiducials: [], origin: null } });
-    store.dispatch({ type: 'mask', side, mask: null });
   }
+}
+
+/** The mask that the block has for an image. */
+async function maskFor(engine: Engine, { state }: BlockStore, image: BlockFile): Promise<GivenMask | null> {
+  const mask = maskOf(state.options.masks, image.name);
+  // Of a project file the masks are not there.
+  if (mask === null || isLacking(mask)) return null;
+  const read = await engine.client('pair').call('mask', { file: mask.file, overlaySide: MASK_SIDE });
+  return { ...read, id: nextId--, name: mask.name, source: { kind: 'file', file: mask.file } };
+}
+
+/** The masks of the images of a pair, as far as they are files. */
+export function masksOf({ images, masks }: State): PairMask[] {
+  return SIDES.flatMap((side) => {
+    const [image, source] = [images[side], masks[side]?.source];
+    return image === null || source?.kind !== 'file' ? [] : [{ image: image.name, file: source.file }];
+  });
 }
 
 function fileOf(block: BlockStore, name: string | undefined): BlockFile | undefined {

@@ -74,6 +74,7 @@ export {
   draw_vectors,
   message,
   few_matches,
+  masks_of_images,
   one_image,
   camera_of_focal_px,
   pair_cameras,

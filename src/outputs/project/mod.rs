@@ -5,6 +5,7 @@ mod version_1;
 use crate::crs::Geoid;
 use crate::error::refuse;
 use crate::json;
+use crate::pipeline::check_steps;
 use crate::text::shorten;
 use crate::{
     BlockModel, BlockRun, Document, Error, FileFault, FilePlace, Input, ObservationVerdict, PairRun, ReconstructedModel, Reconstruction,
@@ -150,6 +151,9 @@ fn check(run: &BlockRun) -> Result<(), Error> {
     let Some(found) = &run.edited else { return Ok(()) };
     if !run.reconstruction.as_ref().is_ok_and(|assembly| !assembly.models.is_empty()) || found.reconstruction.models.is_empty() {
         return refuse(Refusal::ProjectEdits);
+    }
+    if !found.steps.is_empty() {
+        check_steps(&found.edits, &found.steps)?;
     }
     check_oriented(run, &found.model, Some(&found.reconstruction))
 }

@@ -53,7 +53,7 @@ impl From<OlderOutcome> for PairOutcome {
 }
 
 fn failed(message: String) -> PairOutcome {
-    PairOutcome::Failed { failure: Failure::Refused { code: String::new(), message, usage: false } }
+    PairOutcome::Failed { failure: Failure::Refused { code: String::new(), message, usage: false, error: None } }
 }
 
 /// The reason of one of the two sentences that version 1 had: `… 4 of 61 matches agree on one …`, `…: 9 given; at least 12 are needed`.

@@ -164,7 +164,7 @@ mod tests {
             inside.then_some(ImageObservation { image, x_px: at[0], y_px: at[1], confidence: 1.0 })
         };
         let rays = truth.images.iter().enumerate().filter_map(ray).collect();
-        ObjectPoint { number: None, position: None, colour: [0; 3], rmse_px: None, confidence: 1.0, name: None, rays }
+        ObjectPoint { number: None, position: None, colour: [0; 3], rmse_px: None, confidence: 1.0, name: None, rays, by_hand: 0 }
     }
 
     #[test]

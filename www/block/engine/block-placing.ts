@@ -38,7 +38,7 @@ export class BlockPlacing {
       // Another block came meanwhile.
       if (this.stopped || this.store.state.shown?.found !== shown.found) return false;
       read.hold();
-      this.store.dispatch({ type: 'onGround', view: read.view, edits: read.edits, ground: { key, before, places, verdicts }, again });
+      this.store.dispatch({ type: 'onGround', view: read.view, edits: read.steps.flat(), ground: { key, before, places, verdicts }, again });
       return true;
     } catch (error) {
       if (this.stopped || error instanceof Cancelled) return false;
@@ -57,7 +57,7 @@ export class BlockPlacing {
     const read = await this.engine.read(new Uint8Array(await shown.ground.before.arrayBuffer()), this.store.state.truth);
     if (this.store.state.shown?.found !== shown.found) return;
     read.hold();
-    this.store.dispatch({ type: 'onGround', view: read.view, edits: read.edits, ground: null });
+    this.store.dispatch({ type: 'onGround', view: read.view, edits: read.steps.flat(), ground: null });
   }
 
   cancel(): void {

@@ -3,7 +3,6 @@ import type { Frame, FrameInput, FramePlan, PlanInput } from './film';
 import type { BlockJob, RunOptions, Step } from '../../../pkg/block/index.js';
 import type { PlainError } from '../../../pkg/block/wire.js';
 import type {
-  BlockEdit,
   BlockFlight,
   BlockModel,
   BlockPlaces,
@@ -22,6 +21,7 @@ import type { Turn, Window } from './match';
 import type { AdjustInput, ControlInput, ElsewhereInput, Ground, LaidInput, LaidPicture, MosaicInput, PlaceInput, PredictInput, TileInput } from './orthophoto';
 import type { ProjectInput } from './project-input';
 import type { AddedControl } from '../state/added';
+import type { EditStep } from '../state/edits';
 import type { ImagePoints, ViewObservations } from '../state/facts';
 import type { LinkedImage } from '../state/links';
 import type { BlockFile } from '../state/state';
@@ -70,10 +70,10 @@ export interface MadeFile {
   bytes: Uint8Array<ArrayBuffer>;
 }
 
-/** A block of a file, with the edits that it was saved with, and what it was made of. */
+/** A block of a file, with the steps of edits that it was saved with, and what it was made of. */
 export interface OpenedBlock {
   view: BlockView;
-  edits: BlockEdit[];
+  steps: readonly EditStep[];
   made: ProjectInput;
 }
 
@@ -95,7 +95,7 @@ export interface BlockCalls {
   /** Which places of an orthophoto lie where these lay. */
   blockPlacesAgain: { input: { before: BlockPlaces }; output: PlaceAgain[] };
   /** The block as it was found with these edits, adjusted anew. */
-  blockEdited: { input: { edits: readonly BlockEdit[]; truth: BlockModel | null }; output: BlockView };
+  blockEdited: { input: { steps: readonly EditStep[]; truth: BlockModel | null }; output: BlockView };
   blockImagePoints: { input: { image: number }; output: ImagePoints };
   blockObservations: { input: { images: number }; output: ViewObservations };
   blockGround: { input: null; output: ViewGround };

@@ -13,6 +13,7 @@ import type { ImagePoints, ViewObservations } from '../state/facts';
 import type { ViewGround } from '../state/ground';
 import type { BlockFile, BlockOptions, BlockState } from '../state/state';
 import { calibrationsOf } from '../state/calibrated';
+import { stepsOf } from '../state/editing';
 import { firstProblem } from '../state/given';
 import { givenToRun } from '../state/marks';
 import type { BlockAction } from '../state/reducer';
@@ -182,7 +183,7 @@ export class BlockEngine {
     await this.regained();
     // A run that was started meanwhile would get the edits of the former block when it is done.
     if (this.port !== null) throw new Cancelled('cancelled');
-    return this.block.call('blockEdited', { edits, truth: this.store.state.truth });
+    return this.block.call('blockEdited', this.inSteps(edits));
   }
 
   /** The project file of the block that is shown, for a worker that lost it. */
@@ -207,8 +208,13 @@ export class BlockEngine {
     // Another block was opened meanwhile, or is found.
     if (block !== this.block || this.port !== null) return;
     this.heldIn = block.generation;
-    const { shown, truth } = this.store.state;
-    if (shown !== null) await this.block.call('blockEdited', { edits: shown.edits, truth });
+    const { shown } = this.store.state;
+    if (shown !== null) await this.block.call('blockEdited', this.inSteps(shown.edits));
+  }
+
+  private inSteps(edits: readonly BlockEdit[]): BlockCalls['blockEdited']['input'] {
+    const { history, truth } = this.store.state;
+    return { steps: stepsOf(history, edits), truth };
   }
 
   /** The observations of an image of the block that is held. */

@@ -104,8 +104,9 @@ export class Rejected {
       all.rays[at] = index < 0 ? this.handsOf(source).size : found.column('rays', index);
       all.rmsePx[at] = NaN;
       all.confidence[at] = index < 0 ? 1 : found.column('confidence', index);
+      const met = index < 0 ? this.meetingOf(source) : null;
       for (const axis of [0, 1, 2]) {
-        all.positions[3 * at + axis] = index < 0 ? NaN : found.column('positions', 3 * index + axis);
+        all.positions[3 * at + axis] = index < 0 ? (met?.[axis] ?? NaN) : found.column('positions', 3 * index + axis);
         all.errors[3 * at + axis] = NaN;
       }
     });
@@ -163,7 +164,7 @@ export class Rejected {
       id: source,
       name: known?.name ?? this.added(source)?.edit.name ?? null,
       role: null,
-      position: known?.position ?? null,
+      position: known?.position ?? this.meetingOf(source),
       errors: null,
       rmse_px: null,
       confidence: known?.confidence ?? 1,
@@ -202,6 +203,13 @@ export class Rejected {
     const { name, position, use } = added.edit;
     const none = { standard_errors_m: [null, null, null], detectable_m: [null, null, null], difference_m: [NaN, NaN, NaN] } satisfies Partial<ViewSurveyed>;
     return { ...none, name, role: use ?? 'control', rays: 0, position, control: added.control, point: -1, isUsed: false, byHand: true };
+  }
+
+  /** Where its measurements by hand meet; null where they do not. */
+  private meetingOf(source: PointSource): [number, number, number] | null {
+    const measurements = [...this.handsOf(source).values()].map(({ image, x_px, y_px }) => ({ image, x_px, y_px }));
+    const [x, y, z] = this.found.block.meeting_place(measurements) ?? [];
+    return x === undefined || y === undefined || z === undefined ? null : [x, y, z];
   }
 
   /** Where a point was measured by hand, by image. */

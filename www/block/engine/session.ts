@@ -3,7 +3,8 @@ import { runBlock } from '../../../pkg/block/index.js';
 import type { BlockJob, Pool, Store as RecordStore } from '../../../pkg/block/index.js';
 import { errorOf } from '../../../pkg/block/wire.js';
 import { FinishedBlock } from '../../../pkg/wasm/tiepoint.js';
-import type { BlockEdit, BlockModel, BlockPlaces, PlaceAgain, PointDetail } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockModel, BlockPlaces, PlaceAgain, PointDetail } from '../../../pkg/wasm/tiepoint.js';
+import type { EditStep } from '../state/edits';
 import type { ImagePoints, ViewObservations } from '../state/facts';
 import type { ViewGround } from '../state/ground';
 import type { ExportKind, FromRun, JobAnswer, MadeFile, OpenedBlock, RunInput, ToRun } from './calls';
@@ -54,12 +55,22 @@ export async function blockRun({ files, options, masks, geoid, truth, workers, k
 
 export function blockOpen({ bytes, truth }: { bytes: Uint8Array; truth: BlockModel | null }): OpenedBlock {
   const block = FinishedBlock.open(bytes);
-  return { view: hold(block, truth, 'another'), edits: block.edits(), made: projectInputOf(bytes, block) };
+  return { view: hold(block, truth, 'another'), steps: stepsIn(block), made: projectInputOf(bytes, block) };
+}
+
+/** The edits that a block has, in their steps. */
+function stepsIn(block: FinishedBlock): EditStep[] {
+  const edits = block.edits();
+  return block.edit_steps().map((length) => edits.splice(0, length));
 }
 
 /** The former block stays where the edits are refused. */
-export function blockEdited({ edits, truth }: { edits: readonly BlockEdit[]; truth: BlockModel | null }): BlockView {
-  return hold(heldBlock().edited(edits), truth, 'edited');
+export function blockEdited({ steps, truth }: { steps: readonly EditStep[]; truth: BlockModel | null }): BlockView {
+  const edited = heldBlock().edited(
+    steps.flat(),
+    steps.map(({ length }) => length),
+  );
+  return hold(edited, truth, 'edited');
 }
 
 /** Takes the place of the former block, which stays where anything of this one is refused. */

@@ -9,6 +9,8 @@ import { marksOfNone } from '../state/film';
 import { PARTNER_MISSING, problemsOf } from '../state/given';
 import type { GivenText } from '../state/given';
 import { waitsForMarks } from '../state/marks';
+import { withMasks } from '../state/masks';
+import type { PairMask } from '../state/masks';
 import { controlText } from '../state/words';
 import type { FilmFiles } from './film';
 import { newId } from './ids';
@@ -118,6 +120,12 @@ export class BesideFiles {
     this.store.dispatch({ type: 'options', options: { masks: files.map((file) => ({ id: newId(), name: file.name, file })) } });
     const problem = problemsOf(this.store.state).masks;
     if (problem !== undefined) this.telling.tell('problem', say('the-block-cannot-be-run-with', { problem: sentence(problem) }));
+  }
+
+  /** Takes the masks of a pair of the block, in place of those of the same images. */
+  takePairMasks(masks: readonly PairMask[]): void {
+    this.store.dispatch({ type: 'options', options: { masks: withMasks(this.store.state.options.masks, masks, newId) } });
+    this.telling.tellTaken(say('masks-are-of-the-block', { names: masks.map(({ image }) => image).join(', ') }));
   }
 
   /** Takes the geoid from which heights count, in place of the one that is there. */

@@ -208,7 +208,7 @@ export class BlockFiles {
     return this.takeHere([file.name], async (here) => {
       this.telling.tell('busy', say('reading', { name: file.name }));
       try {
-        const { view, edits, made, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
+        const { view, steps, made, hold } = await this.engine.read(new Uint8Array(await file.arrayBuffer()));
         here();
         // What is refused of the file is refused while the former block is held.
         const options = optionsOf(made, file.name);
@@ -218,7 +218,7 @@ export class BlockFiles {
           return;
         }
         hold();
-        this.store.dispatch({ type: 'openedFile', view, edits, options });
+        this.store.dispatch({ type: 'openedFile', view, steps, options });
         const former = stays ? say('the-former-block-stays-under') : '';
         this.telling.tell('info', say('was-opened-the-file-does', { name: file.name, former }));
       } catch (error) {

@@ -17,6 +17,7 @@ import type { Former } from '../state/former';
 import type { ImageVerdict, OnGround } from '../state/placing';
 import { bytesOfMarks, bytesOfStep, markStepFrom, stepFrom } from './edit';
 import { withPresentKeys } from './earlier-keys';
+import { goesOn, RunUnderWay } from './going-on';
 import { passIds } from './ids';
 import { draftFrom, draftParts, linkParts, withLink } from './keep-draft';
 import { formerFrom, formerParts, placesFrom } from './keep-former';
@@ -39,6 +40,7 @@ export class KeptBlocks implements Keepable {
   private made: { found: Shown['found']; kept: KeptShown } | null = null;
   private readonly journal = new Journal('block/edits', stepFrom, bytesOfStep);
   private readonly marks = new Journal('block/marks', markStepFrom, bytesOfMarks);
+  private readonly underWay: RunUnderWay;
   private making: Promise<void> | null = null;
   private changed: () => void = () => undefined;
 
@@ -48,7 +50,11 @@ export class KeptBlocks implements Keepable {
     private readonly catalogue: BlockCatalogue,
     /** Ends what goes on with the block: what comes of it belongs to no project any more. */
     private readonly end: () => void,
-  ) {}
+    /** Runs the block. */
+    private readonly run: () => void,
+  ) {
+    this.underWay = new RunUnderWay(store, engine);
+  }
 
   watch(changed: () => void): void {
     this.changed = changed;
@@ -95,7 +101,7 @@ export class KeptBlocks implements Keepable {
     for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
     for (const [name, part] of this.marks.parts(state.marks)) parts.set(name, part);
     for (const [name, part] of formerParts(state.former, state.history)) parts.set(name, part);
-    for (const [name, part] of [...draftParts(state.draft, state.panes.images), ...linkParts(placing)]) parts.set(name, part);
+    for (const [name, part] of [...draftParts(state.draft, state.panes.images), ...linkParts(placing), ...this.underWay.parts()]) parts.set(name, part);
     if (made !== null && made.found === shown?.found)
       parts.set(SHOWN, { value: made.kept, bytes: SMALL + made.kept.project.size + (made.kept.ground?.before.size ?? 0) });
     // Of images that were all removed nothing is left to go on with.
@@ -105,7 +111,7 @@ export class KeptBlocks implements Keepable {
     return parts;
   }
 
-  async read(parts: ReadonlyMap<string, unknown>): Promise<() => void> {
+  async read(parts: ReadonlyMap<string, unknown>, looks: boolean): Promise<() => void> {
     if (!parts.has(GIVEN)) return () => undefined;
     const kept = givenFrom(parts.get(GIVEN), this.catalogue);
     const files = kept.files.map((file) => fileFrom(parts, file));
@@ -124,6 +130,7 @@ export class KeptBlocks implements Keepable {
       [...parts].flatMap(([part, record]) => (part.startsWith(RECORD) && record instanceof Blob ? [[part.slice(RECORD.length), record] as const] : [])),
     );
     const shown = finished?.shown ?? null;
+    const runs = !looks && shown === null && goesOn(parts, records.size);
     const count = shown?.view.images.length ?? 0;
     const draft = shown === null ? null : draftFrom(parts, count);
     const opened = kept.opened?.every((image) => image < count) === true ? kept.opened : null;
@@ -152,10 +159,12 @@ export class KeptBlocks implements Keepable {
       });
       const names = this.images();
       if (names.length === 0) return;
-      const goesOn = records.size > 0 && shown === null ? say('the-work-that-was-done') : '';
-      const restored = say('restored-from-this-browser', { title_of: titleOf({ name: null, images: names }), goes_on: goesOn });
+      const work = records.size > 0 && shown === null ? say('the-work-that-was-done') : '';
+      const restored = say('restored-from-this-browser', { title_of: titleOf({ name: null, images: names }), goes_on: runs ? '' : work });
       const text = damage === '' ? restored : `${restored} ${damage}`;
       this.store.dispatch({ type: 'notice', notice: { kind: 'info', text, beside: true } });
+      // All parts of the project are shown first.
+      if (runs) queueMicrotask(this.run);
     };
   }
 
@@ -202,7 +211,7 @@ export class KeptBlocks implements Keepable {
     const { key, tiePoints, steps, seconds, score, ground } = kept;
     const view = { ...opened.view, score };
     return {
-      shown: { key, files, steps, seconds, view, given: NONE_GIVEN, found: view, tiePoints, edits: theSame(opened.edits, history.edits.flat()), ground },
+      shown: { key, files, steps, seconds, view, given: NONE_GIVEN, found: view, tiePoints, edits: theSame(opened.steps.flat(), history.edits.flat()), ground },
       kept: value as unknown as KeptShown,
       hold: opened.hold,
     };

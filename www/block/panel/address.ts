@@ -65,7 +65,7 @@ export function mountAddress(store: BlockStore, modes: Modes, pair: PairBeside):
       if (part !== null) showPart(part, address);
       return;
     }
-    // Edits number the points anew: the address is of the block with them.
+    // Points that edits add are there once these hold.
     const wanted = asked(address, shown.view);
     if (wanted !== null && !isViewed) {
       isViewed = true;

@@ -2,6 +2,8 @@
 import { button, fill, h } from '../../shared/panel/dom';
 import type { Modes } from '../../shared/state/mode';
 import type { BlockStore } from '../engine/engine';
+import { otherMasks } from '../state/masks';
+import type { PairMask } from '../state/masks';
 import { isBusy } from '../state/state';
 import { strongestPair } from '../state/strongest';
 import { describe } from '../state/words';
@@ -11,13 +13,16 @@ import { say } from '../../shared/text/words';
 export interface PairBeside {
   /** Of its images, left and right; null where there is none. */
   names: () => readonly (string | null)[];
+  /** The masks of these. */
+  masks: () => readonly PairMask[];
   /** Calls back whenever that may have changed. */
   watch: (changed: () => void) => void;
   /** Shows two images of the block as a pair; resolves once they are there, or cannot be shown. */
   open: (images: [number, number]) => Promise<void>;
 }
 
-export function mountBack(store: BlockStore, modes: Modes, pair: PairBeside): HTMLElement {
+/** `takeMasks`: of a pair into the block. */
+export function mountBack(store: BlockStore, modes: Modes, pair: PairBeside, takeMasks: (masks: readonly PairMask[]) => void): HTMLElement {
   const text = h('span', { testid: 'of-block' });
   const back = button(say('back-to-the-block'), 'back-to-block', () => {
     modes.dispatch('block');
@@ -27,7 +32,8 @@ export function mountBack(store: BlockStore, modes: Modes, pair: PairBeside): HT
     const images = strongestPair(store.state);
     if (images !== null) void pair.open(images);
   });
-  const line = h('div', { class: 'of-block' }, back, text, open);
+  const masks = button(say('use-masks-in-the-block'), 'masks-to-block', () => takeMasks(othersOf(store, pair)), say('what-they-mask-holds-no'));
+  const line = h('div', { class: 'of-block' }, back, text, masks, open);
   const draw = () => {
     const offered = pair.names().every((name) => name === null) ? strongestPair(store.state) : null;
     const said = offered === null ? saidOf(store) : say('pairs-of-the-block-open-here', { names: namesOf(store, offered) });
@@ -35,12 +41,18 @@ export function mountBack(store: BlockStore, modes: Modes, pair: PairBeside): HT
     fill(text, said ?? '');
     back.hidden = offered !== null;
     open.hidden = offered === null;
-    open.disabled = isBusy(store.state);
+    masks.hidden = offered !== null || othersOf(store, pair).length === 0;
+    open.disabled = masks.disabled = isBusy(store.state);
   };
-  store.watch(['opened', 'shown', 'files', 'running', 'notice', 'placing'], draw);
+  store.watch(['opened', 'shown', 'files', 'options', 'running', 'notice', 'placing'], draw);
   modes.watch(['mode'], draw);
   pair.watch(draw);
   return line;
+}
+
+/** What is masked in the pair of the block that is shown, and not in the block. */
+function othersOf({ state: { opened, options } }: BlockStore, pair: PairBeside): readonly PairMask[] {
+  return opened === null ? [] : otherMasks(options.masks, pair.masks());
 }
 
 /** Of the pair of the block that is shown. */

@@ -28,6 +28,7 @@ const TABLES: readonly (readonly [Subject, string])[] = [
 ];
 
 const HEIGHT = 'tiepoint-dock';
+const TAB = 'tiepoint-table';
 /** A step of the splitter by keys, and how low and high the tables may be, CSS px. */
 const STEP = 24;
 const LEAST = 170;
@@ -47,8 +48,13 @@ export function makeDock(store: BlockStore, looking: Looking, facts: Facts, othe
   const draw = () => {
     for (const table of [...tables, ...further]) table.draw();
   };
+  /** Another table comes up, since the one that was chosen is not of this view. */
+  let isFallback = false;
   element.addEventListener('click', (event) => {
-    if ((event.target as Element).closest('[role="tab"]') !== null) draw();
+    const tab = (event.target as Element).closest('[role="tab"]');
+    if (tab === null) return;
+    if (!isFallback) keepChoice(TAB, tab.id);
+    draw();
   });
   // Observations have come.
   facts.watch(() => {
@@ -72,8 +78,14 @@ export function makeDock(store: BlockStore, looking: Looking, facts: Facts, othe
             ? isOwn || (sources[i]?.subject === 'surveyed' && (shown?.view.surveyed.length ?? 0) + (shown?.given.length ?? 0) === 0)
             : !isOwn || view !== onStage;
       });
-      // The tables of another view are not what is looked at.
-      if (tabs.some((tab) => tab.hidden && tab.getAttribute('aria-selected') === 'true')) tabs.find((tab) => !tab.hidden)?.click();
+      // The tables of another view are not what is looked at; the one that was chosen last comes again with its own.
+      const selected = tabs.find((tab) => tab.getAttribute('aria-selected') === 'true');
+      const seen = tabs.filter((tab) => !tab.hidden);
+      const wanted = seen.find(({ id }) => id === keptChoice(TAB)) ?? (selected?.hidden === true ? seen[0] : selected);
+      if (wanted === selected) return;
+      isFallback = true;
+      wanted?.click();
+      isFallback = false;
     },
   );
   return element;

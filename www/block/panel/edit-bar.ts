@@ -107,13 +107,30 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     () => {
       if (store.state.onStage !== 'images') store.dispatch({ type: 'stage', view: 'images' });
       measures()?.toggle(false);
+      toImages();
     },
     say('measure-the-chosen-point-in'),
   );
-  const add = button(say('add-point'), 'block-add-point', () => measures()?.toggle(true), say('measure-a-new-tie-point'));
+  const add = button(
+    say('add-point'),
+    'block-add-point',
+    () => {
+      measures()?.toggle(true);
+      toImages();
+    },
+    say('measure-a-new-tie-point'),
+  );
   const joining = button(say('join'), 'block-join', () => join(store, facts), say('the-chosen-points-are-one'));
   const parting = button(say('split'), 'block-split', () => makeStep(store, splitOf(store.state, facts)), say('the-point-is-two-one'));
-  const match = button(say('match-it'), 'block-match', () => measures()?.match(), say('match-the-point-in-the'));
+  const match = button(
+    say('match-it'),
+    'block-match',
+    () => {
+      measures()?.match();
+      toImages();
+    },
+    say('match-the-point-in-the'),
+  );
   const accept = button(say('accept'), 'block-accept', () => store.dispatch({ type: 'accept', leaves: false }), say('the-point-is-measured-enter'));
   const leave = button(say('cancel'), 'block-leave', () => store.dispatch({ type: 'draft', draft: null }), say('give-what-is-measured-up'));
   const [use, useSelect] = choice(say('use-as'), 'block-use', USES, (value) => {
@@ -177,6 +194,9 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
   facts.watch(show);
   return bar;
 }
+
+/** What is begun by a button goes on by the keys of the images: Enter accepts, Escape gives up. */
+const toImages = () => byId('block-view').focus({ preventScroll: true });
 
 const USES = [
   ['control', say('control-point')],

@@ -12,6 +12,9 @@ import type { BlockFiles } from '../files/files';
 import { problemsOf } from '../state/given';
 import type { Given, GivenText } from '../state/given';
 import { waitsForMarks } from '../state/marks';
+import { optionsOfOwn, ownSettings, USE_GNSS } from '../state/own-settings';
+import type { OwnSettings } from '../state/own-settings';
+import { BLOCK_INITIAL } from '../state/state';
 import { controlText } from '../state/words';
 import { readable } from '../../shared/text/names';
 import { say } from '../../shared/text/words';
@@ -23,52 +26,35 @@ const SYSTEM = 'placing.crs';
 export function mountSettings(host: HTMLElement, store: BlockStore, files: BlockFiles, opener: HTMLElement): void {
   store.watch(['catalogue'], ([catalogue]) => {
     if (catalogue === null) return;
-    const { defaults } = catalogue;
+    const defaults = ownSettings(catalogue.defaults, BLOCK_INITIAL.options.gps);
+    const take = (own: object) => store.dispatch({ type: 'options', options: optionsOfOwn(own as OwnSettings) });
     const bound = {
       change: (key: string, value: Value) => {
-        const { settings } = store.state.options;
-        if (settings !== null) store.dispatch({ type: 'options', options: { settings: withSetting(settings, key, value) } });
+        const { settings, gps } = store.state.options;
+        if (settings !== null) take(withSetting(ownSettings(settings, gps), key, value));
       },
       defaults: () => defaults,
       refused: (parameter: Parameter) => store.dispatch({ type: 'refused', parameter }),
     };
-    const sections = makeFolded(catalogue.parameters, bound, {
+    const sections = makeFolded([...catalogue.parameters, USE_GNSS], bound, {
       title: say('method'),
-      first: ['pairs.rule', 'refinement.method'],
+      first: ['pairs.rule', 'refinement.method', USE_GNSS.key],
       of: 'block',
-      take: (settings) => store.dispatch({ type: 'options', options: { settings: settings as typeof defaults } }),
+      take,
       changed: (count) => fill(opener, settingsText(count)),
     });
     const [back, method, ...others] = sections.elements;
-    fill(host, back ?? null, method ?? null, positions(store), waiting(files), besides(store, files), ...others);
+    fill(host, back ?? null, method ?? null, waiting(files), besides(store, files), ...others);
     store.watch(
-      (s) => [s.options.settings] as const,
-      ([settings]) => {
+      (s) => [s.options.settings, s.options.gps] as const,
+      ([settings, gps]) => {
         if (settings === null) return;
-        sections.show(settings, acting_block_parameters(settings));
+        sections.show(ownSettings(settings, gps), [...acting_block_parameters(settings), USE_GNSS.key]);
         const { crs } = problemsOf(store.state);
         if (crs !== undefined) sections.controls.find(({ parameter }) => parameter.key === SYSTEM)?.refuse(readable(catalogue.labels, crs));
       },
     );
   });
-}
-
-/** Whether recorded positions are used. */
-function positions(store: BlockStore): HTMLElement {
-  const input = h('input', { id: 'block-gps', type: 'checkbox', testid: 'block-gps' });
-  input.addEventListener('change', () => store.dispatch({ type: 'options', options: { gps: input.checked ? 'use' : 'ignore' } }));
-  store.watch(
-    (s) => [s.options.gps] as const,
-    ([gps]) => {
-      input.checked = gps === 'use';
-    },
-  );
-  return h(
-    'div',
-    { class: 'control' },
-    h('div', { class: 'control-head' }, input, h('label', { for: input.id }, say('use-gnss-positions'))),
-    h('p', { class: 'help' }, say('they-choose-near-pairs-and')),
-  );
 }
 
 /** Whether images that are given wait for Run. */

@@ -53,6 +53,17 @@ export function choiceAfterEdit(choice: Choice | null, before: BlockView, after:
   return moved.length === 1 ? { kind: 'point', point: first } : { kind: 'points', points: Uint32Array.from(moved).sort() };
 }
 
+/** Points that are chosen, in a block that was found anew with the same tie points; null where a surveyed one among them may be another. */
+export function choiceOfSamePoints(choice: Choice | null, before: BlockView, after: BlockView): Choice | null {
+  const points = pointsOf(choice);
+  const nameOf = ({ surveyed }: BlockView, number: number) => surveyed.find(({ control }) => control === number)?.name;
+  const isSame = (point: number) => {
+    const source = sourceOf(before, point);
+    return source !== null && (!('ground_control' in source) || nameOf(before, source.ground_control) === nameOf(after, source.ground_control));
+  };
+  return points.length > 0 && points.every(isSame) ? choiceAfterEdit(choice, before, after) : null;
+}
+
 /** What was rejected by hand and not restored, and what was measured by hand. */
 export interface Standing {
   observations: ReadonlyMap<string, PointImage>;

@@ -6,6 +6,8 @@ import type { Notice } from '../../shared/state/notice';
 import type { BlockCatalogue, BlockFile, BlockOptions, BlockState, Shown, ViewName } from './state';
 import { BLOCK_INITIAL, openedKey } from './state';
 import { UNEDITED } from './edited';
+import { choiceOfSamePoints } from './edits';
+import type { EditStep } from './edits';
 import { nameOfTiePoints } from './former';
 import { awaitingAgain, carried, carriedToGround, reduceEdits } from './editing';
 import type { EditsAction } from './editing';
@@ -42,8 +44,8 @@ export type BlockAction =
   | { type: 'ended'; failure: string | null }
   /** The block on the screen in the system of an orthophoto, or as it was before; `edits`: those that it has there. */
   | { type: 'onGround'; view: BlockView; edits: readonly BlockEdit[]; ground: OnGround | null; again?: readonly PlaceAgain[] }
-  /** `edits`: those that it was saved with; `options`: those that it was made with. */
-  | { type: 'openedFile'; view: BlockView; edits: readonly BlockEdit[]; options: BlockOptions }
+  /** `steps`: the edits that it was saved with; `options`: those that it was made with. */
+  | { type: 'openedFile'; view: BlockView; steps: readonly EditStep[]; options: BlockOptions }
   /** What the browser kept. */
   | { type: 'restored'; restored: RestoredBlock }
   /** Nothing is on the page any more, and all options have their defaults. */
@@ -149,8 +151,13 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
       const placing = reducePlacing(state.placing, action);
       if (placing === state.placing) return state;
       // What was said is of what was set before.
-      const isSet = (action.type === 'placingOptions' || action.type === 'purpose') && state.notice?.kind !== 'busy';
-      return { ...state, placing, notice: isSet ? null : state.notice, refused: action.type === 'placingOptions' ? null : state.refused };
+      const isAnother = action.type === 'placingOptions' || action.type === 'purpose' || (action.type === 'orthophoto' && action.orthophoto === null);
+      return {
+        ...state,
+        placing,
+        notice: isAnother && state.notice?.kind !== 'busy' ? null : state.notice,
+        refused: action.type === 'placingOptions' ? null : state.refused,
+      };
     }
     case 'openedPair':
       return { ...state, opened: action.images };
@@ -169,7 +176,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
         refused: null,
         panes: panesInOtherView(state.panes, null, action.view),
         ...UNEDITED,
-        history: { edits: action.edits.map((edit) => [edit]), done: action.edits.length },
+        history: { edits: action.steps, done: action.steps.length },
         marks: NO_HISTORY,
         removed: [],
         skipped: [],
@@ -182,7 +189,7 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
           given: NONE_GIVEN,
           found: action.view,
           tiePoints: '',
-          edits: action.edits,
+          edits: action.steps.flat(),
           files: [],
           steps: {},
           seconds: 0,
@@ -227,10 +234,12 @@ function blank(state: BlockState): Pick<BlockState, 'selection' | 'opened' | 'no
   return { selection: NOTHING_SELECTED, opened: null, notice: state.notice?.kind === 'busy' ? null : state.notice };
 }
 
-/** What refers to the images of a block, in another view of them. */
-function inOther({ selection, panes, shown }: BlockState, view: BlockView): Pick<BlockState, 'selection' | 'panes'> {
+/** What refers to the images of a block, in another view of them, and to its points where these are the same ones. */
+function inOther({ selection, panes, shown }: BlockState, view: BlockView, hasSamePoints: boolean): Pick<BlockState, 'selection' | 'panes'> {
   const before = shown?.view ?? null;
-  return { selection: inOtherView(selection, before, view), panes: panesInOtherView(panes, before, view) };
+  const other = inOtherView(selection, before, view);
+  const points = before !== null && hasSamePoints ? choiceOfSamePoints(selection.chosen, before, view) : null;
+  return { selection: { ...other, chosen: points ?? other.chosen }, panes: panesInOtherView(panes, before, view) };
 }
 
 function onGround(state: BlockState, shown: Shown, { view, edits: own, ground, again = [] }: Extract<BlockAction, { type: 'onGround' }>): BlockState {
@@ -243,7 +252,7 @@ function onGround(state: BlockState, shown: Shown, { view, edits: own, ground, a
   return {
     ...state,
     ...blank(state),
-    ...inOther(state, view),
+    ...inOther(state, view, true),
     ...edits,
     ...(said === '' ? {} : { notice: { kind: 'info', text: said, beside: true } }),
     placing,
@@ -265,16 +274,17 @@ function withRun(state: BlockState, action: RunAction): BlockState {
       if (running.kind !== 'yes' || (state.shown !== null && !state.shown.view.partial)) return state;
       const { view, files } = action;
       const shown = { key: running.key, view, given: NONE_GIVEN, found: view, tiePoints: '', edits: [], files, seconds: 0, steps: {}, ground: null };
-      return { ...state, shown, opened: null, ...inOther(state, view) };
+      return { ...state, shown, opened: null, ...inOther(state, view, false) };
     }
     case 'done': {
       const { key, view, files, seconds } = action;
       const { edits, said } = carried(state, view);
+      const tiePoints = nameOfTiePoints(view);
       const draft = draftInOtherView(state.draft, state.shown?.view, view);
       return {
         ...state,
         ...blank(state),
-        ...inOther(state, view),
+        ...inOther(state, view, tiePoints === state.shown?.tiePoints),
         ...edits,
         draft,
         ...(said === '' ? {} : { notice: { kind: 'info', text: said, beside: true } }),
@@ -284,7 +294,7 @@ function withRun(state: BlockState, action: RunAction): BlockState {
           view,
           given: NONE_GIVEN,
           found: view,
-          tiePoints: nameOfTiePoints(view),
+          tiePoints,
           edits: [],
           files,
           seconds,

@@ -14,8 +14,8 @@ export interface Keepable {
   parts: () => ReadonlyMap<string, Kept>;
   /** The names of its images. */
   images: () => readonly string[];
-  /** Reads what was kept; rejects, with nothing changed, where it cannot be read. What it gives shows it, in place of nothing. */
-  read: (parts: ReadonlyMap<string, unknown>) => Promise<() => void>;
+  /** Reads what was kept; rejects, with nothing changed, where it cannot be read. What it gives shows it, in place of nothing. `looks`: it is another tab's. */
+  read: (parts: ReadonlyMap<string, unknown>, looks: boolean) => Promise<() => void>;
   /** Forgets all of it on the page. */
   clear: () => void;
 }

@@ -35,9 +35,9 @@ export class LateKeepable implements Keepable {
     return this.part?.images() ?? [];
   }
 
-  async read(parts: ReadonlyMap<string, unknown>): Promise<() => void> {
+  async read(parts: ReadonlyMap<string, unknown>, looks: boolean): Promise<() => void> {
     if ([...parts.keys()].some((name) => name.startsWith(this.mode))) await this.load();
-    return (await this.part?.read(parts)) ?? (() => undefined);
+    return (await this.part?.read(parts, looks)) ?? (() => undefined);
   }
 
   clear(): void {

@@ -56,7 +56,7 @@ export class ProjectReader {
       // From now on what another tab would still write is refused.
       const unnamed = looks ? null : await this.named(database, id);
       const parts = await database.parts(id);
-      const shows = await Promise.all(this.keepables.map((keepable) => keepable.read(parts)));
+      const shows = await Promise.all(this.keepables.map((keepable) => keepable.read(parts, looks)));
       return { row, title, parts, claim, unnamed, shows };
     } catch (error) {
       if (claim !== null && held() !== claim) claim.release();

@@ -75,7 +75,33 @@ function actions(): Action[] {
       label.control?.focus();
     },
   }));
-  return [...all.filter(({ disabled }) => !disabled), ...commands, ...settings, ...all.filter(({ disabled }) => disabled)];
+  return [...all.filter(({ disabled }) => !disabled), ...commands, ...choices(), ...settings, ...all.filter(({ disabled }) => disabled)];
+}
+
+/** What the lists over pictures and beside exports offer, and the sliders there, which are gone to. */
+function choices(): Action[] {
+  const controls = [...document.querySelectorAll<HTMLSelectElement | HTMLInputElement>('select, input[type="range"]')].filter(
+    (control) => control.closest('dialog, table, .control') === null && reachable(control),
+  );
+  return controls.flatMap((control) => {
+    const about = control.ariaLabel ?? control.labels?.[0]?.querySelector('span')?.textContent ?? '';
+    const made = { more: groupOf(control), keys: [], disabled: control.disabled };
+    const goTo = () => {
+      reveal(control);
+      control.focus();
+    };
+    if (!(control instanceof HTMLSelectElement)) return [{ ...made, name: about, run: goTo }];
+    const others = [...control.options].filter((option) => !option.selected && !option.disabled);
+    return others.map((option) => ({
+      ...made,
+      name: say('action-about', { about, action: option.text }),
+      run: () => {
+        control.value = option.value;
+        control.dispatchEvent(new Event('change', { bubbles: true }));
+        goTo();
+      },
+    }));
+  });
 }
 
 /** Buttons that only unfold what is listed itself, or close what is open. */

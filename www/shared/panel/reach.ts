@@ -17,5 +17,8 @@ export function reveal(element: Element): void {
   if (element.closest('.dock') !== null) setDrawer('table', true);
   const tab = element.closest('[role="tabpanel"][hidden]')?.getAttribute('aria-labelledby');
   if (tab != null) showTab(tab);
+  // A menu that is folded.
+  const menu = element.checkVisibility() ? null : element.closest('[id].more, [id].menu');
+  if (menu !== null) document.querySelector<HTMLElement>(`[aria-controls="${menu.id}"][aria-expanded="false"]`)?.click();
   for (let fold = element.closest('details'); fold !== null; fold = fold.parentElement?.closest('details') ?? null) fold.open = true;
 }

@@ -35,7 +35,8 @@ export function tabbed<T extends readonly Tab[]>(
       if (step === undefined) return;
       event.preventDefault();
       const next = (i + step + tabs.length) % tabs.length;
-      choose(next);
+      // Who draws what is in sight is told as of a press.
+      buttons[next]?.click();
       buttons[next]?.focus();
     });
   });

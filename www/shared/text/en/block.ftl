@@ -414,6 +414,9 @@ strongest-cell-matches-small-square = Strongest cell: { COUNT($view) } matches. 
 ## panel/mode
 
 back-to-the-block = ← Back to the block
+use-masks-in-the-block = Use the masks in the block
+what-they-mask-holds-no = What they mask holds no points in the block either, from its next run on
+masks-are-of-the-block = The masks of { $names } are those of the block now.
 pairs-of-the-block-open-here = Pairs of the block open here, too: { $names } has most matches; others are chosen on its map, in its matrix or table.
 
 ## panel/mosaic
