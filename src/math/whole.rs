@@ -186,30 +186,10 @@ impl Whole {
     }
 }
 
-/// One operator, of both kinds of vectors; what is beyond 32 bits is cut off.
-macro_rules! operator {
-    ($name:ident, $method:ident, $simd:ident) => {
-        impl std::ops::$name for Whole {
-            type Output = Self;
-
-            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Self($simd(self.0, other.0))
-            }
-
-            #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Self(self.0.$method(other.0))
-            }
-        }
-    };
-}
-
-operator!(Add, add, i32x4_add);
-operator!(Sub, sub, i32x4_sub);
-operator!(Mul, mul, i32x4_mul);
+// What is beyond 32 bits is cut off.
+vector_operator!(Whole, Add, add, i32x4_add, |a, b| a + b);
+vector_operator!(Whole, Sub, sub, i32x4_sub, |a, b| a - b);
+vector_operator!(Whole, Mul, mul, i32x4_mul, |a, b| a * b);
 
 #[cfg(test)]
 mod tests {
