@@ -240,7 +240,10 @@ async function running(fresh, url, wanted, uniform) {
       const opened = page;
       await restored(
         opened,
-        async () => (await isRunning(opened)) || /Restored from this browser/.test((await part(opened, 'block-status').textContent()) ?? ''),
+        async () =>
+          (await isRunning(opened)) ||
+          // It is not there before the part of the block is.
+          opened.evaluate(() => /Restored from this browser/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? '')),
       );
       await opened.waitForTimeout(SOON_MS);
       if ((await partsNamed(page, 'block/record/')) < kept) throw new Error('the work of a run was lost that had been kept');
