@@ -26,11 +26,12 @@ async function opened() {
   page = await pageModules(['block/pair', 'pair/state/reducer', 'pair/state/state']);
   const file = (/** @type {string} */ name) => new File([name], name, { lastModified: 1 });
   const files = ['a.jpg', 'b.jpg', 'c.jpg'].map((name, i) => ({ id: i + 1, name, file: file(name) }));
+  const masks = [{ id: 9, name: 'b_mask.png', file: file('b_mask.png') }];
   const images = files.map(({ name }) => ({ name, camera: 0 }));
   /** @type {any[]} */
   const notices = [];
   const block = {
-    state: { shown: { view: { images, cameras: [] }, files }, files, options: { settings: null } },
+    state: { shown: { view: { images, cameras: [] }, files }, files, options: { settings: null, masks } },
     dispatch: (/** @type {any} */ action) => notices.push(action),
   };
   const store = {
@@ -44,7 +45,8 @@ async function opened() {
   /** @type {any[]} */
   const aside = [];
   const open = (stays = true) => {
-    const engine = { open: () => Promise.resolve() };
+    const read = { width: 1, height: 1, grey: new Uint8Array(1), leftOut: 1 };
+    const engine = { open: () => Promise.resolve(), client: () => ({ call: () => Promise.resolve(read) }) };
     const putAside = () => Promise.resolve(aside.push(store.state)).then(() => stays);
     return page.pair.openPair(block, { dispatch: () => undefined }, { store, engine }, { putAside, stays: async () => () => undefined }, [0, 1]);
   };
@@ -63,6 +65,12 @@ test('a pair with fiducial marks stays under Projects, with them; one that has n
   assert.equal(aside[0].images.left.name, 'x.jpg');
   assert.match(store.state.notice.text, /x\.jpg.* stay under Projects\.$/);
   assert.deepEqual(store.state.photos.left.fiducials, []);
+  // It has the masks of the block, which are nothing that was done to the pair.
+  assert.deepEqual([store.state.masks.left, store.state.masks.right.name], [null, 'b_mask.png']);
+  assert.deepEqual(
+    page.pair.masksOf(store.state).map((/** @type {any} */ { image }) => image),
+    ['b.jpg'],
+  );
   // The pair of the block, as it was opened.
   await open();
   assert.equal(aside.length, 1);
