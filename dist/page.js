@@ -1086,6 +1086,13 @@ function setAttribute(element, name, value) {
 function fill(element, ...children) {
 	element.replaceChildren(...children.filter((child) => child !== null));
 }
+function arrange(element, ...children) {
+	const wanted = new Set(children);
+	for (const child of [...element.children]) if (!wanted.has(child)) child.remove();
+	let next = element.firstElementChild;
+	for (const child of children) if (child === next) next = next.nextElementSibling;
+	else element.insertBefore(child, next);
+}
 function button(text, testid, onClick, title) {
 	const made = h("button", {
 		type: "button",
@@ -1190,4 +1197,4 @@ start().catch(() => {
 	document.getElementById("not-loaded")?.removeAttribute("hidden");
 	showDocument();
 });
-export { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, asFigure, asSentence, besideFiles, button, byId, count, decimalsOfError, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, sayNamed, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus };
+export { LANGUAGE, LANGUAGES, LatePart, __vitePreload, arrange, asClauses, asFigure, asSentence, besideFiles, button, byId, count, decimalsOfError, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, sayNamed, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus };

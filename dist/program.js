@@ -1,4 +1,4 @@
-import { LANGUAGE, LANGUAGES, LatePart, __vitePreload, asClauses, asFigure, asSentence, besideFiles, button, byId, count, decimalsOfError, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known as known$1, learnPart, loadPart, markStale, mountLanguage, percent, refusedText as refusedText$1, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus } from "./page.js";
+import { LANGUAGE, LANGUAGES, LatePart, __vitePreload, arrange, asClauses, asFigure, asSentence, besideFiles, button, byId, count, decimalsOfError, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known as known$1, learnPart, loadPart, markStale, mountLanguage, percent, refusedText as refusedText$1, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus } from "./page.js";
 // pkg/wasm/tiepoint.js
 var BlockOnOrthophoto = class {
 	__destroy_into_raw() {
@@ -4101,6 +4101,7 @@ var ROW = 24;
 var MARGIN = 12;
 var COLUMNS$1 = 30;
 var RowsInSight = class {
+	key;
 	row;
 	columns = h("colgroup", {});
 	head = h("thead", {});
@@ -4108,12 +4109,16 @@ var RowsInSight = class {
 	scroller;
 	table;
 	body = h("tbody", {});
+	above = filler();
+	below = filler();
+	lines = new Map();
 	count = 0;
 	drawn = [0, 0];
 	frame = 0;
 	heights = null;
 	top = 0;
-	constructor(testid, words, row) {
+	constructor(testid, words, key, row) {
+		this.key = key;
 		this.row = row;
 		this.table = h("table", {
 			testid,
@@ -4187,8 +4192,15 @@ var RowsInSight = class {
 		const [first, last] = this.inSight(MARGIN);
 		this.drawn = [first, last];
 		this.table.removeAttribute("aria-activedescendant");
-		const seen = Array.from({ length: Math.max(0, last - first) }, (_, i) => this.row(first + i));
-		fill(this.body, filler(first), ...seen, filler(this.count - last));
+		const lines = new Map();
+		for (let place = first; place < last; place++) {
+			const key = this.key(place);
+			lines.set(key, this.row(place, this.lines.get(key)));
+		}
+		this.lines = lines;
+		stretch(this.above, first);
+		stretch(this.below, this.count - last);
+		arrange(this.body, this.above, ...lines.values(), this.below);
 	}
 };
 function sortHead({ key, label, unit, help, words }, press) {
@@ -4205,13 +4217,16 @@ function sortHead({ key, label, unit, help, words }, press) {
 		class: words === true ? "of-words" : ""
 	}, button);
 }
-function filler(rows) {
-	const cell = h("td", { colspan: COLUMNS$1 });
-	cell.style.height = `${String(Math.max(0, rows) * ROW)}px`;
+function filler() {
 	return h("tr", {
 		class: "filler",
 		aria: { hidden: "true" }
-	}, cell);
+	}, h("td", { colspan: COLUMNS$1 }));
+}
+function stretch(filler, rows) {
+	const cell = filler.firstElementChild;
+	const height = `${String(Math.max(0, rows) * ROW)}px`;
+	if (cell.style.height !== height) cell.style.height = height;
 }
 // www/shared/panel/table-bar.ts
 var TableBar = class {
@@ -4366,7 +4381,7 @@ var Table = class {
 			role: "status",
 			aria: { live: "polite" }
 		});
-		this.table = new RowsInSight(testid, words, (place) => this.row(this.shown[place] ?? 0, place));
+		this.table = new RowsInSight(testid, words, (place) => this.shown[place] ?? -1, (place, former) => this.row(this.shown[place] ?? 0, place, former));
 		this.bar = file === void 0 ? null : new TableBar(testid, words.table, {
 			hide: (hidden) => this.hide(hidden),
 			csv: async () => {
@@ -4578,24 +4593,34 @@ var Table = class {
 			return h("td", { class: "number" }, h("span", { class: "unit" }, `${TOTALS[total]} `), digits === 0 ? count(Number.isNaN(number) ? null : Math.round(number)) : fixed(number, digits));
 		});
 	}
-	row(row, place) {
-		const { testid, choose, isChosen, point } = this.options;
+	row(row, place, former = this.line(row)) {
+		const { testid, choose, isChosen } = this.options;
 		const chosen = row === this.marked;
 		const together = isChosen?.(row) === true;
-		const id = `${testid}-row-${String(row)}`;
 		const active = row === this.active;
+		if (former.childElementCount !== this.columns.length) fill(former, ...this.columns.map(() => h("td", {})));
+		this.columns.forEach(({ value, text }, column) => {
+			const cell = former.children[column];
+			const shown = text(row);
+			if (cell.textContent !== shown) cell.textContent = shown;
+			cell.classList.toggle("number", typeof value(row) === "number");
+		});
+		former.classList.toggle("best", chosen);
+		former.classList.toggle("chosen", together);
+		former.classList.toggle("active", active);
+		former.dataset.testid = chosen ? `${testid}-selected` : `${testid}-row`;
+		former.setAttribute("aria-rowindex", String(place + 1 + this.table.head.childElementCount));
+		if (choose !== void 0) former.setAttribute("aria-selected", String(chosen || together));
+		if (active) this.table.table.setAttribute("aria-activedescendant", former.id);
+		return former;
+	}
+	line(row) {
+		const { testid, choose, point } = this.options;
 		const line = h("tr", {
-			id,
-			class: `${chosen ? "best" : ""} ${together ? "chosen" : ""} ${active ? "active" : ""}`.trim(),
-			testid: chosen ? `${testid}-selected` : `${testid}-row`,
-			aria: {
-				rowindex: String(place + 1 + this.table.head.childElementCount),
-				...choose === void 0 ? {} : { selected: String(chosen || together) }
-			}
-		}, ...this.columns.map(({ value, text }) => h("td", { class: typeof value(row) === "number" ? "number" : "" }, text(row))));
-		if (active) this.table.table.setAttribute("aria-activedescendant", id);
+			id: `${testid}-row-${String(row)}`,
+			class: choose === void 0 ? "plain" : ""
+		});
 		if (choose !== void 0) line.addEventListener("click", (event) => this.press(row, event));
-		else line.classList.add("plain");
 		if (point !== void 0) line.addEventListener("pointerenter", () => point(row));
 		return line;
 	}

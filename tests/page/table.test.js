@@ -112,6 +112,21 @@ test('tables are searched, sorted, chosen from and saved, in step with map and m
     .click({ modifiers: ['Shift'] });
   await says(page, 'block-chosen', /^3 tie points of /);
   assert.deepEqual(await chosen(page, 'block-points'), names.slice(0, 3));
+  // A press ends on the row that it began on, also where the rows are drawn anew meanwhile, as when figures arrive.
+  await part(page, 'block-points-filter-point-rays').focus();
+  const pressed = await page.locator('[data-testid="block-points"] tbody tr:not(.filler)').nth(1).boundingBox();
+  assert.ok(pressed);
+  await page.mouse.move(pressed.x + 40, pressed.y + pressed.height / 2);
+  await page.mouse.down();
+  await part(page, 'block-points-filter-point-rays').evaluate((field) => field.dispatchEvent(new Event('input')));
+  await page.mouse.up();
+  await says(page, 'block-chosen', new RegExp(`^point ${names[1]}: \\d+ rays`));
+  await page.locator('[data-testid="block-points"] tbody tr:not(.filler)').first().click();
+  await page
+    .locator('[data-testid="block-points"] tbody tr:not(.filler)')
+    .nth(2)
+    .click({ modifiers: ['Shift'] });
+  await says(page, 'block-chosen', /^3 tie points of /);
   await part(page, 'block-points-columns').click();
   await page.locator('.table-bar input[data-key="confidence"]:visible').uncheck();
   await page.keyboard.press('Escape');

@@ -44,6 +44,17 @@ export function fill(element: Element, ...children: Child[]): void {
   element.replaceChildren(...children.filter((child) => child !== null));
 }
 
+/** Gives an element these children, and moves none that stands where it is to stand: a press on it, or its focus, lasts. */
+export function arrange(element: Element, ...children: Element[]): void {
+  const wanted = new Set(children);
+  for (const child of [...element.children]) if (!wanted.has(child)) child.remove();
+  let next = element.firstElementChild;
+  for (const child of children) {
+    if (child === next) next = next.nextElementSibling;
+    else element.insertBefore(child, next);
+  }
+}
+
 export function button(text: string, testid: string, onClick: () => void, title?: string): HTMLButtonElement {
   const made = h('button', { type: 'button', testid, ...(title === undefined ? {} : { title }) }, text);
   made.addEventListener('click', onClick);

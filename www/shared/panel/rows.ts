@@ -1,6 +1,9 @@
-/** The rows of a long table: only those in sight exist, between two fillers as high as the others would be. */
+/**
+ * The rows of a long table: only those in sight exist, between two fillers as high as the others would be. A row that stays in sight is the same
+ * element as long as it does, so that a press that is under way ends on what it began on, whatever is drawn meanwhile.
+ */
 import type { Column } from '../state/rows';
-import { fill, h } from './dom';
+import { arrange, h } from './dom';
 import { isHidden } from './sight';
 import { unitText } from '../text/units';
 
@@ -19,19 +22,24 @@ export class RowsInSight {
   /** The grid, which has the keyboard for all its rows. */
   readonly table: HTMLElement;
   private readonly body = h('tbody', {});
+  private readonly above = filler();
+  private readonly below = filler();
+  /** The rows that exist, by their keys. */
+  private lines: ReadonlyMap<number, HTMLElement> = new Map();
   private count = 0;
-  /** The rows that exist, from the first to the one behind the last. */
+  /** From the first row that exists to the one behind the last. */
   private drawn: readonly [number, number] = [0, 0];
   private frame = 0;
   /** How high all of it is and what of that heads and feet take, as the browser laid them out last: to ask for it makes the browser lay out the page. Null: not yet. */
   private heights: { all: number; fixed: number } | null = null;
   private top = 0;
 
-  /** `row` builds the row at a place. */
+  /** `key` tells the row at a place from all others; `row` builds it, or brings its former element up to date. */
   constructor(
     testid: string,
     words: { table: string; region: string },
-    private readonly row: (place: number) => HTMLElement,
+    private readonly key: (place: number) => number,
+    private readonly row: (place: number, former: HTMLElement | undefined) => HTMLElement,
   ) {
     this.table = h(
       'table',
@@ -123,8 +131,15 @@ export class RowsInSight {
     this.drawn = [first, last];
     // The row that has the keyboard says so where it is drawn.
     this.table.removeAttribute('aria-activedescendant');
-    const seen = Array.from({ length: Math.max(0, last - first) }, (_, i) => this.row(first + i));
-    fill(this.body, filler(first), ...seen, filler(this.count - last));
+    const lines = new Map<number, HTMLElement>();
+    for (let place = first; place < last; place++) {
+      const key = this.key(place);
+      lines.set(key, this.row(place, this.lines.get(key)));
+    }
+    this.lines = lines;
+    stretch(this.above, first);
+    stretch(this.below, this.count - last);
+    arrange(this.body, this.above, ...lines.values(), this.below);
   }
 }
 
@@ -140,8 +155,13 @@ export function sortHead({ key, label, unit, help, words }: Column, press: () =>
   return h('th', { scope: 'col', key, class: words === true ? 'of-words' : '' }, button);
 }
 
-function filler(rows: number): HTMLElement {
-  const cell = h('td', { colspan: COLUMNS });
-  cell.style.height = `${String(Math.max(0, rows) * ROW)}px`;
-  return h('tr', { class: 'filler', aria: { hidden: 'true' } }, cell);
+function filler(): HTMLElement {
+  return h('tr', { class: 'filler', aria: { hidden: 'true' } }, h('td', { colspan: COLUMNS }));
+}
+
+/** Makes a filler as high as so many rows. */
+function stretch(filler: HTMLElement, rows: number): void {
+  const cell = filler.firstElementChild as HTMLElement;
+  const height = `${String(Math.max(0, rows) * ROW)}px`;
+  if (cell.style.height !== height) cell.style.height = height;
 }

@@ -85,7 +85,12 @@ export class Table {
       role: 'status',
       aria: { live: 'polite' },
     });
-    this.table = new RowsInSight(testid, words, (place) => this.row(this.shown[place] ?? 0, place));
+    this.table = new RowsInSight(
+      testid,
+      words,
+      (place) => this.shown[place] ?? -1,
+      (place, former) => this.row(this.shown[place] ?? 0, place, former),
+    );
     this.bar =
       file === undefined
         ? null
@@ -332,28 +337,33 @@ export class Table {
     });
   }
 
-  private row(row: number, place: number): HTMLElement {
-    const { testid, choose, isChosen, point } = this.options;
+  private row(row: number, place: number, former = this.line(row)): HTMLElement {
+    const { testid, choose, isChosen } = this.options;
     const chosen = row === this.marked;
     const together = isChosen?.(row) === true;
-    const id = `${testid}-row-${String(row)}`;
     const active = row === this.active;
-    const line = h(
-      'tr',
-      {
-        id,
-        class: `${chosen ? 'best' : ''} ${together ? 'chosen' : ''} ${active ? 'active' : ''}`.trim(),
-        testid: chosen ? `${testid}-selected` : `${testid}-row`,
-        aria: {
-          rowindex: String(place + 1 + this.table.head.childElementCount),
-          ...(choose === undefined ? {} : { selected: String(chosen || together) }),
-        },
-      },
-      ...this.columns.map(({ value, text }) => h('td', { class: typeof value(row) === 'number' ? 'number' : '' }, text(row))),
-    );
-    if (active) this.table.table.setAttribute('aria-activedescendant', id);
+    if (former.childElementCount !== this.columns.length) fill(former, ...this.columns.map(() => h('td', {})));
+    this.columns.forEach(({ value, text }, column) => {
+      const cell = former.children[column] as HTMLElement;
+      const shown = text(row);
+      if (cell.textContent !== shown) cell.textContent = shown;
+      cell.classList.toggle('number', typeof value(row) === 'number');
+    });
+    former.classList.toggle('best', chosen);
+    former.classList.toggle('chosen', together);
+    former.classList.toggle('active', active);
+    former.dataset.testid = chosen ? `${testid}-selected` : `${testid}-row`;
+    former.setAttribute('aria-rowindex', String(place + 1 + this.table.head.childElementCount));
+    if (choose !== undefined) former.setAttribute('aria-selected', String(chosen || together));
+    if (active) this.table.table.setAttribute('aria-activedescendant', former.id);
+    return former;
+  }
+
+  /** The line of a row, as yet without its cells. */
+  private line(row: number): HTMLElement {
+    const { testid, choose, point } = this.options;
+    const line = h('tr', { id: `${testid}-row-${String(row)}`, class: choose === undefined ? 'plain' : '' });
     if (choose !== undefined) line.addEventListener('click', (event) => this.press(row, event));
-    else line.classList.add('plain');
     if (point !== undefined) line.addEventListener('pointerenter', () => point(row));
     return line;
   }
