@@ -542,14 +542,15 @@ test('the journal is read back as it was, an edit writes its last piece alone, a
   const draft = { of: edits[1]?.of?.[0] ?? null, places: { left: [1.5, 2], right: null }, side: 'right' };
   const shelf = new Map([['other', { edits: edits.slice(0, 2), done: 1, draft: { ...draft, of: 7 } }]]);
   const journal = new page.journal.Journal();
-  const kept = (/** @type {any} */ history) => new Map([...journal.parts({ history, draft, shelf })].map(([part, { value }]) => [part, value]));
+  const none = { maskSteps: page.history.NO_HISTORY, markSteps: page.history.NO_HISTORY };
+  const kept = (/** @type {any} */ history) => new Map([...journal.parts({ history, ...none, draft, shelf })].map(([part, { value }]) => [part, value]));
   const before = kept({ edits, done: 149 });
   const stored = structuredClone(before);
-  assert.deepEqual(journal.read(stored), { history: { edits, done: 149 }, draft, shelf });
+  assert.deepEqual(journal.read(stored), { history: { edits, done: 149 }, ...none, draft, shelf });
   const after = kept({ edits: [...edits, { kind: 'move', of: 3, to: [1, 2, 3, 4] }], done: 151 });
   const changed = [...after].filter(([part, value]) => before.get(part) !== value).map(([part]) => part);
   assert.deepEqual(changed.sort(), ['pair/edits', 'pair/edits/2']);
-  assert.deepEqual(journal.read(new Map()), { history: { edits: [], done: 0 }, draft: null, shelf: new Map() });
+  assert.deepEqual(journal.read(new Map()), { history: { edits: [], done: 0 }, ...none, draft: null, shelf: new Map() });
   // Earlier releases kept no match that was being measured.
   const earlier = new Map([['other', { edits: [], done: 0 }]]);
   assert.equal(journal.read(new Map([['pair/shelf', earlier]])).shelf.get('other').draft, null);
@@ -559,6 +560,42 @@ test('the journal is read back as it was, an edit writes its last piece alone, a
   assert.throws(damaged({ of: [1, 2, 3] }), /draft\.of is damaged/);
   stored.get('pair/edits/1')[0].kind = 'burn';
   assert.throws(() => journal.read(stored), /edits\[1\]\[0\]\.kind is damaged/);
+});
+
+test('steps on masks and marks are read back as they were; a file is kept by itself, and the same step is the same value', () => {
+  const source = { kind: 'file', file: new Blob(['1']) };
+  const corners = [
+    [1, 2],
+    [3.5, 4],
+    [5, 6],
+  ];
+  const area = { side: 'left', corners, masked: true };
+  const maskSteps = { edits: [area, { side: 'right', given: { name: 'sky.png', source } }, { side: 'left', given: null }], done: 2 };
+  const mark = { col: 1, row: 2, x_mm: NaN, y_mm: 4 };
+  const markSteps = { edits: [{ side: 'right', deed: 'measured', at: 0, out: [], put: [mark] }], done: 0 };
+  const none = { history: page.history.NO_HISTORY, draft: null, shelf: new Map() };
+  const journal = new page.journal.Journal();
+  const kept = (/** @type {any} */ steps) => new Map([...journal.parts({ ...none, ...steps })].map(([part, { value }]) => [part, value]));
+  const parts = kept({ maskSteps, markSteps });
+  const { file } = parts.get('pair/masks/0')[1].given;
+  const stored = new Map([...structuredClone(parts), [`pair/file/${file}`, source]]);
+  const back = new page.journal.Journal();
+  const read = back.read(stored);
+  assert.deepEqual([read.maskSteps, read.markSteps], [maskSteps, markSteps]);
+  // What was read is what is kept; another step writes the last piece alone.
+  const again = new Map([...back.parts(read)].map(([part, { value }]) => [part, value]));
+  assert.deepEqual(again, parts);
+  const more = kept({ maskSteps: { edits: [...maskSteps.edits, area], done: 4 }, markSteps });
+  assert.deepEqual(
+    [...more].filter(([part, value]) => parts.get(part) !== value).map(([part]) => part),
+    ['pair/masks', 'pair/masks/0'],
+  );
+  assert.throws(() => back.read(new Map(structuredClone(parts))), /damaged/);
+  stored.get('pair/masks/0')[0].corners[1] = [1];
+  assert.throws(() => back.read(stored), /\.corners\[1\] is damaged/);
+  stored.set('pair/masks/0', []);
+  stored.get('pair/marks/0')[0].side = 'top';
+  assert.throws(() => back.read(stored), /\.side is damaged/);
 });
 
 test('what the filter of the matches leaves out is in no picture, and what it keeps is', () => {

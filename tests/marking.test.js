@@ -6,10 +6,11 @@ import { orient_fiducials } from '../pkg/node.js';
 import { pageModules } from './www.js';
 
 const {
+  mark_steps: { nameOfMarkStep },
   marking: { Marking },
   marks: { measuredPhoto, wholeMarks },
   store: { Store },
-} = await pageModules(['pair/state/marking', 'pair/state/marks', 'pair/state/store']);
+} = await pageModules(['pair/state/mark-steps', 'pair/state/marking', 'pair/state/marks', 'pair/state/store']);
 
 const PIXEL_MM = 0.02;
 
@@ -51,7 +52,7 @@ test('a place beside the picture is refused, which is said until one on it is ta
     assert.ok(Number.isNaN(marks()[0].col), `${beside}`);
     assert.match(store.state.notice?.text ?? '', /beside the picture/);
   }
-  assert.equal(marking.history.edits.length, 0);
+  assert.equal(store.state.markSteps.edits.length, 0);
   marking.place('left', [0, 20]);
   assert.deepEqual([marks()[0].col, marks()[0].row, store.state.notice], [10, 40, null]);
   // Nor do keys bring it there.
@@ -138,7 +139,7 @@ test('a mark is expected anew when another one moves, and an answer that comes l
   assert.ok(Math.abs(later[0] - expected[0] - 10) < 1e-6 && Math.abs(later[1] - expected[1] - 20) < 1e-6, `${expected} ${later}`);
 });
 
-const named = (/** @type {any} */ marking) => marking.history.edits.map((/** @type {any} */ { name }) => name);
+const named = (/** @type {any} */ { state }) => state.markSteps.edits.map((/** @type {any} */ step) => nameOfMarkStep(step, state.images));
 
 test('what was done to marks is undone and done again, by its names; a mark that keys move is moved once', async () => {
   const { store, marking, marks } = begun();
@@ -157,23 +158,29 @@ test('what was done to marks is undone and done again, by its names; a mark that
   states.push(marks());
   marking.removeAll('left');
   states.push(marks());
-  assert.deepEqual(named(marking), ['measure mark 1', 'move mark 1', 'move mark 1', 'clear mark 1', 'remove mark 1', 'remove all marks']);
+  assert.deepEqual(
+    named(store),
+    [
+      ...['measure fiducial mark 1', 'move fiducial mark 1', 'move fiducial mark 1', 'clear fiducial mark 1', 'remove fiducial mark 1'],
+      'remove all fiducial marks',
+    ].map((name) => `${name} of left.png`),
+  );
   for (const state of states.slice(0, -1).reverse()) {
     marking.step(-1);
-    assert.equal(marks(), state);
+    assert.deepEqual(marks(), state);
     assert.equal(store.state.tool, 'fiducials');
     assert.deepEqual([store.state.mark.side, store.state.mark.index], ['left', 0]);
   }
   marking.step(-1);
-  assert.equal(marks(), states[0]);
+  assert.deepEqual(marks(), states[0]);
   for (const state of states.slice(1)) {
     marking.step(1);
-    assert.equal(marks(), state);
+    assert.deepEqual(marks(), state);
   }
   // What was undone is given up by another step.
   marking.step(-1);
   marking.type('left', 1, { x_mm: 7 });
-  assert.deepEqual([named(marking).at(-1), marks()[1].x_mm, marking.history.edits.length], ['change mark 2', 7, 6]);
+  assert.deepEqual([named(store).at(-1), marks()[1].x_mm, named(store).length], ['change fiducial mark 2 of left.png', 7, 6]);
 });
 
 test('the tool goes on where marks are removed by hand, and stays away where it was; what changes nothing is no step', () => {
@@ -190,25 +197,26 @@ test('the tool goes on where marks are removed by hand, and stays away where it 
   marking.type('left', 4, { x_mm: 7 });
   assert.deepEqual([marks()[4].x_mm, marks()[5].x_mm], [7, NaN]);
   for (let i = 0; i < 3; i++) marking.step(-1);
-  assert.equal(marks(), all);
+  assert.deepEqual(marks(), all);
   marking.toggle('left');
   marking.remove('left', 3);
   assert.deepEqual([marks().length, store.state.tool, store.state.mark.index], [3, 'fiducials', 3]);
   marking.step(-1);
-  assert.equal(marks(), all);
+  assert.deepEqual(marks(), all);
   marking.removeAll('left');
   assert.deepEqual([store.state.tool, store.state.mark.index], ['fiducials', 0]);
   marking.step(-1);
   // What was taken back can still be done again.
   marking.clear();
   marking.type('left', 0, { x_mm: all[0].x_mm, col: NaN });
-  assert.deepEqual([named(marking), marking.history.done], [['remove all marks'], 0]);
+  const done = () => store.state.markSteps.done;
+  assert.deepEqual([named(store), done()], [['remove all fiducial marks of left.png'], 0]);
   marking.step(1);
   marking.removeAll('left');
-  assert.deepEqual([named(marking), marking.history.done], [['remove all marks'], 1]);
+  assert.deepEqual([named(store), done()], [['remove all fiducial marks of left.png'], 1]);
 });
 
-test('marks that were given since are not undone, and steps go with their image', () => {
+test('steps go with their image, and are none on marks that another pair has', () => {
   const { store, marking, marks } = begun();
   marking.toggle('left');
   marking.place('left', [20, 20]);
@@ -217,12 +225,55 @@ test('marks that were given since are not undone, and steps go with their image'
   marking.step(-1);
   assert.notEqual(store.state.photos.right.fiducials, before);
   marking.step(1);
-  assert.equal(store.state.photos.right.fiducials, before);
+  assert.deepEqual(store.state.photos.right.fiducials, before);
+  assert.deepEqual(named(store), ['measure fiducial mark 1 of left.png']);
   store.dispatch({ type: 'swap' });
   store.dispatch({ type: 'photo', side: 'left', photo: { fiducials: [] } });
-  assert.equal(marking.history.edits.length, 0);
+  assert.equal(named(store).length, 0);
   marking.step(-1);
   assert.deepEqual(marks(), []);
+  // Those of the other image stay.
+  store.dispatch({ type: 'images', images: { right: { id: 2, name: 'right.png', source: { kind: 'file', file: new Blob() } } } });
+  marking.add('left');
+  marking.add('right');
+  marking.add('left');
+  marking.step(-1);
+  store.dispatch({ type: 'images', images: { left: { id: 3, name: 'other.png', source: { kind: 'file', file: new Blob() } } } });
+  assert.deepEqual([named(store), store.state.markSteps.done], [['add fiducial mark 1 to right.png'], 1]);
+});
+
+test('the table that a photo has first is given, one that takes the place of marks is a step', () => {
+  const { store, marking, marks } = begun();
+  const table = (/** @type {number} */ col) => [{ col, row: 2, x_mm: 3, y_mm: 4 }];
+  const give = (/** @type {string} */ side, /** @type {number} */ col) =>
+    store.dispatch({ type: 'marked', step: { side, deed: 'given', at: 0, out: store.state.photos[side].fiducials, put: table(col) } });
+  give('right', 1);
+  assert.deepEqual([named(store), store.state.photos.right.fiducials], [[], table(1)]);
+  const before = marks();
+  give('left', 5);
+  assert.deepEqual([named(store), marks()], [['take a table of fiducial marks for left.png'], table(5)]);
+  marking.removeAll('left');
+  give('left', 6);
+  for (const expected of [[], table(5), before]) {
+    marking.step(-1);
+    assert.deepEqual(marks(), expected);
+  }
+});
+
+test('thousands of steps on marks are undone and done again, in whatever order', () => {
+  const { store, marking, marks } = begun();
+  const states = [marks()];
+  for (let i = 0; i < 3000; i++) {
+    if (i % 5 === 0) marking.add('left');
+    else if (i % 5 === 4) marking.remove('left', i % marks().length);
+    else marking.type('left', i % marks().length, { col: i });
+    states.push(marks());
+  }
+  assert.equal(store.state.markSteps.done, 3000);
+  for (const done of [2999, 17, 0, 1500, 3000, 1]) {
+    store.dispatch({ type: 'marksAfter', done });
+    assert.deepEqual(marks(), states[done]);
+  }
 });
 
 test('what is not complete changes nothing of the pair', () => {
@@ -257,7 +308,7 @@ test('photo coordinates are taken from the other image where they are missing, a
   assert.equal(right(), taken);
   marking.takeCoordinates('left');
   assert.deepEqual(marks().length, 4);
-  assert.equal(marking.history.edits[marking.history.done - 1].name, 'take photo coordinates');
+  assert.deepEqual(named(store), ['take photo coordinates for right.png']);
   marking.step(-1);
-  assert.equal(right(), own);
+  assert.deepEqual(right(), own);
 });

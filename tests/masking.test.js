@@ -7,14 +7,15 @@ import { pageModules } from './www.js';
 
 const {
   mask: { fill },
+  mask_steps: { nameOfMaskStep },
   masking: { Masking },
   store: { Store },
-} = await pageModules(['pair/engine/mask', 'pair/state/masking', 'pair/state/store']);
+} = await pageModules(['pair/engine/mask', 'pair/state/mask-steps', 'pair/state/masking', 'pair/state/store']);
 
 /** How many pixels of an image of 20 x 10 px an outline encloses.  @param {readonly (readonly [number, number])[]} corners */
 function enclosed(corners) {
   const grey = new Uint8Array(200).fill(255);
-  fill(grey, 20, 10, Float64Array.from(corners.flat()), 0);
+  fill(grey, 20, 10, corners, 0);
   return grey.reduce((sum, value) => sum + Number(value === 0), 0);
 }
 
@@ -54,25 +55,40 @@ test('an outline encloses the pixels whose middles lie in it, in the image alone
   );
 });
 
-/** A pair of two images whose masks are painted, and what was said. `paint` makes a mask. */
-function painted(paint = async () => made()) {
+/** A pair of two images whose masks are painted, and what was painted: over what, and which areas. `paint` makes a mask. */
+function painted(paint = paintedOver) {
   const store = new Store();
   const source = { kind: 'file', file: new Blob() };
   const image = (/** @type {number} */ id) => ({ id, name: `${id}.png`, source });
   store.dispatch({ type: 'images', images: { left: image(1), right: image(2) } });
   store.dispatch({ type: 'tool', tool: 'mask' });
-  const masking = new Masking(store, paint);
-  const draw = () =>
+  /** @type {any[]} */
+  const asked = [];
+  const painter = (/** @type {any} */ _state, /** @type {string} */ _side, /** @type {any} */ over, /** @type {any} */ areas) => {
+    asked.push([over, areas]);
+    return paint(over, areas);
+  };
+  const masking = new Masking(store, painter);
+  const draw = (x = 1, y = 1, side = 'left') =>
     masking.trace(
-      'left',
+      side,
       [
-        [1, 1],
-        [5, 1],
-        [5, 5],
+        [x, y],
+        [x + 4, y],
+        [x + 4, y + 4],
       ],
       true,
     );
-  return { store, masking, draw };
+  const pixels = (/** @type {string} */ side) => store.state.masks[side]?.grey ?? null;
+  return { store, masking, draw, asked, pixels };
+}
+
+/** As the worker paints them.  @param {any} over @param {any[]} areas @returns {Promise<any>} */
+async function paintedOver(over, areas) {
+  const mask = made();
+  const grey = over instanceof Uint8Array ? over.slice() : mask.grey;
+  for (const { corners, masked } of areas) fill(grey, 20, 10, corners, masked ? 0 : 255);
+  return areas.length > 0 ? { ...mask, grey } : { ...mask, name: over.name, source: over.source };
 }
 
 /** Differ for every mask. */
@@ -86,74 +102,117 @@ const made = () => ({
   width: 20,
   height: 10,
   leftOut: 0.1,
-  grey: new Uint8Array(),
+  grey: new Uint8Array(200).fill(255),
   overlay: {},
 });
 
-test('undoing an area takes no mask away that was given since', async () => {
-  const { store, masking, draw } = painted();
+const named = (/** @type {any} */ { state }) => state.maskSteps.edits.map((/** @type {any} */ step) => nameOfMaskStep(step, state.images));
+
+test('a mask is what its steps make of what was there before them; thousands of steps are undone and done again', async () => {
+  const { store, masking, draw, pixels } = painted();
+  const masks = [pixels('left')];
+  for (let i = 0; i < 40; i++) {
+    draw((7 * i) % 15, i % 5);
+    await masking.paint(i % 3 !== 2);
+    masks.push(pixels('left'));
+  }
+  assert.equal(store.state.maskSteps.done, 40);
+  for (let done = 39; done >= 0; done--) {
+    await masking.step(-1);
+    assert.deepEqual(pixels('left'), masks[done]);
+  }
+  assert.equal(store.state.masks.left, null);
+  for (const mask of masks.slice(1)) {
+    await masking.step(1);
+    assert.deepEqual(pixels('left'), mask);
+  }
+  await masking.step(1);
+  assert.deepEqual(pixels('left'), masks[40]);
+});
+
+test('an undone area is painted over the file, one that is done again over the mask', async () => {
+  const { store, masking, draw, asked } = painted();
+  const file = made();
+  store.dispatch({ type: 'mask', side: 'left', mask: file });
+  assert.deepEqual(named(store), []);
   draw();
   await masking.paint(true);
-  const first = store.state.masks.left;
   draw();
   await masking.paint(false);
-  masking.step(-1);
-  assert.equal(store.state.masks.left, first);
-  const given = made();
+  await masking.step(-1);
+  await masking.step(-1);
+  assert.equal(store.state.masks.left?.source, file.source);
+  await masking.step(1);
+  const areas = asked.map((/** @type {any} */ [over, { length }]) => [over instanceof Uint8Array ? 'mask' : over.name, length]);
+  assert.deepEqual(areas, [
+    ['mask', 1],
+    ['mask', 1],
+    ['mask.png', 1],
+    ['mask.png', 0],
+    ['mask', 1],
+  ]);
+});
+
+test('a mask that is removed, or gives way to that of another file, comes back with its areas', async () => {
+  const { store, masking, draw, pixels } = painted();
+  draw();
+  await masking.paint(true);
+  const first = pixels('left');
+  store.dispatch({ type: 'mask', side: 'left', mask: null });
+  const given = { ...made(), name: 'sky.png' };
   store.dispatch({ type: 'mask', side: 'left', mask: given });
-  assert.equal(masking.history.done, 0);
-  masking.step(-1);
-  assert.equal(store.state.masks.left, given);
-});
-
-test('an area that was undone is painted again, unless another one was painted or its image has another mask', async () => {
-  const { store, masking, draw } = painted();
-  draw();
+  draw(8, 2);
   await masking.paint(true);
-  const first = store.state.masks.left;
+  assert.deepEqual(named(store), ['mask an area of 1.png', 'remove the mask of 1.png', 'use sky.png as the mask of 1.png', 'mask an area of 1.png']);
+  await masking.step(-1);
+  assert.equal(store.state.masks.left.source, given.source);
+  await masking.step(-1);
+  assert.equal(store.state.masks.left, null);
+  await masking.step(-1);
+  assert.deepEqual(pixels('left'), first);
+  // What was undone is given up by another area.
   draw();
   await masking.paint(false);
-  const second = store.state.masks.left;
-  assert.deepEqual(
-    masking.history.edits.map((/** @type {any} */ { name }) => name),
-    ['mask an area', 'unmask an area'],
-  );
-  masking.step(-1);
-  masking.step(-1);
-  assert.equal(store.state.masks.left, null);
-  masking.step(1);
-  assert.equal(store.state.masks.left, first);
-  masking.step(1);
-  assert.equal(store.state.masks.left, second);
-  masking.step(1);
-  assert.equal(store.state.masks.left, second);
-  masking.step(-1);
-  draw();
-  await masking.paint(true);
-  assert.deepEqual([masking.history.edits.length, masking.history.done], [2, 2]);
-  masking.step(-1);
-  store.dispatch({ type: 'mask', side: 'left', mask: made() });
-  assert.equal(masking.history.edits.length, 0);
+  assert.deepEqual(named(store), ['mask an area of 1.png', 'unmask an area of 1.png']);
 });
 
-test('a mask that is removed leaves the areas of the other image to be undone', async () => {
+test('steps that are asked for at once are gone at once, in both images; what is painted stands between', async () => {
+  const { store, masking, draw, asked, pixels } = painted();
+  draw();
+  await masking.paint(true);
+  const first = pixels('left');
+  draw(2, 2, 'right');
+  await masking.paint(true);
+  draw(8, 2);
+  await masking.paint(true);
+  const before = asked.length;
+  await Promise.all([masking.step(-1), masking.step(-1), masking.step(-1), masking.step(1)]);
+  assert.deepEqual([store.state.maskSteps.done, pixels('left'), store.state.masks.right], [1, first, null]);
+  assert.equal(asked.length, before + 1);
+  draw(3, 3);
+  await Promise.all([masking.step(1), masking.paint(true), masking.step(-1)]);
+  assert.deepEqual(named(store), ['mask an area of 1.png', 'mask an area of 2.png', 'mask an area of 1.png']);
+  assert.deepEqual([store.state.maskSteps.done, pixels('left')], [2, first]);
+});
+
+test('steps go with their image; in place of a mask whose file is not there another one is given', async () => {
   const { store, masking, draw } = painted();
   draw();
   await masking.paint(true);
-  masking.trace(
-    'right',
-    [
-      [1, 1],
-      [5, 1],
-      [5, 5],
-    ],
-    true,
-  );
+  draw(1, 1, 'right');
   await masking.paint(true);
-  store.dispatch({ type: 'mask', side: 'right', mask: null });
-  assert.equal(masking.history.done, 1);
-  masking.step(-1);
-  assert.equal(store.state.masks.left, null);
+  store.dispatch({ type: 'swap' });
+  assert.deepEqual(named(store), ['mask an area of 1.png', 'mask an area of 2.png']);
+  const source = { kind: 'file', file: new Blob() };
+  store.dispatch({ type: 'images', images: { left: { id: 3, name: '3.png', source } } });
+  assert.deepEqual(named(store), ['mask an area of 1.png']);
+  await masking.step(-1);
+  assert.deepEqual([store.state.masks.left, store.state.masks.right], [null, null]);
+  const mask = { ...made(), source: { kind: 'project', content: null } };
+  const { store: other } = painted();
+  other.dispatch({ type: 'mask', side: 'left', mask });
+  other.dispatch({ type: 'mask', side: 'left', mask: made() });
+  assert.deepEqual(named(other), []);
 });
 
 test('an area that is painted while the images are swapped goes with its image', async () => {
@@ -164,7 +223,7 @@ test('an area that is painted while the images are swapped goes with its image',
   await end;
   assert.equal(store.state.masks.left, null);
   assert.notEqual(store.state.masks.right, null);
-  masking.step(-1);
+  await masking.step(-1);
   assert.equal(store.state.masks.right, null);
 });
 

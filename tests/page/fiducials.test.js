@@ -50,12 +50,12 @@ test('a mark that is cleared is expected where the others have it, measured agai
     String(Number((column + 1.1).toFixed(2))),
   );
   // By keys and by buttons, each with the name of what it takes back.
-  assert.equal(await part(page, 'mark-undo').getAttribute('aria-label'), 'Undo: move mark 4');
+  assert.equal(await part(page, 'mark-undo').getAttribute('aria-label'), 'Undo: move fiducial mark 4 of left.png');
   await page.keyboard.press('Control+z');
   await says(page, 'mark-text', new RegExp(`lies at ${column.toFixed(2).replace('.', '\\.')},`));
   await page.keyboard.press('Control+z');
   await says(page, 'mark-text', /^Mark 4 .*near the dashed ring/);
-  assert.equal(await part(page, 'mark-undo').getAttribute('aria-label'), 'Undo: clear mark 4');
+  assert.equal(await part(page, 'mark-undo').getAttribute('aria-label'), 'Undo: clear fiducial mark 4 of left.png');
   await part(page, 'mark-undo').click();
   await says(page, 'mark-text', /^Mark 4 \(.*\) lies at 20\.00, 370\.00 px/);
   assert.ok(await part(page, 'mark-undo').isDisabled());
@@ -134,7 +134,7 @@ test('marks that are removed in the table come back where they were removed, and
   assert.equal(await part(page, 'view').getAttribute('data-tool'), 'look');
   await part(page, 'clear-fiducials-left').click();
   await marks(0);
-  assert.equal(await part(page, 'undo-fiducials-left').getAttribute('aria-label'), 'Undo: remove all marks');
+  assert.equal(await part(page, 'undo-fiducials-left').getAttribute('aria-label'), 'Undo: remove all fiducial marks of left.png');
   assert.ok(await part(page, 'undo-fiducials-right').isHidden());
   await part(page, 'undo-fiducials-left').click();
   await marks(4);

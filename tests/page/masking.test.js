@@ -1,11 +1,11 @@
-/** Areas of the pictures that are masked by mouse and by keyboard: they hold no points, and are kept, undone and saved. */
+/** Areas of the pictures that are masked by mouse and by keyboard: they hold no points, and are kept, undone and saved; with fiducial marks, which are undone the same way. */
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { Photo } from '../../pkg/node.js';
-import { again, done, hosted, open, pair, part, saved, says, SHOTS, SKIP, SMALL } from './page.js';
+import { again, done, hosted, keptEdits, open, pair, part, saved, says, SHOTS, SKIP, SMALL } from './page.js';
 
 hosted();
 
@@ -78,7 +78,7 @@ test('an area that is drawn round holds no points; it is kept, saved, unmasked i
   await part(page, 'mask-undo').click();
   await again(page);
   assert.deepEqual((await savedMask(page)).grey(), grey);
-  assert.equal(await part(page, 'mask-redo').getAttribute('aria-label'), 'Redo: unmask an area');
+  assert.equal(await part(page, 'mask-redo').getAttribute('aria-label'), 'Redo: unmask an area of left.png');
   // After a reload it is there as it was.
   await page.reload();
   await done(page);
@@ -117,6 +117,149 @@ test('an area is outlined by keys alone, and given up', { skip: SKIP }, async ()
   await part(page, 'unmask-left').waitFor({ state: 'hidden' });
   await page.keyboard.press('Escape');
   assert.ok(await part(page, 'masking').isHidden());
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+const SQUARE = /** @type {const} */ ([
+  [-0.2, -0.2],
+  [0, -0.2],
+  [0, 0],
+  [-0.2, 0],
+]);
+
+/** Waits until a button says what it would do, and that is something.  @param {Page} page @param {string} id @param {string} name */
+const offers = (page, id, name) =>
+  page.waitForFunction(
+    ([at, text]) => {
+      const press = document.querySelector(`[data-testid="${at}"]`);
+      return press?.getAttribute('aria-label') === text && !press.hasAttribute('disabled');
+    },
+    /** @type {const} */ ([id, name]),
+  );
+
+/** Makes all steps by a button, each of which has its name.  @param {Page} page @param {string} id @param {string} what @param {readonly string[]} names */
+async function stepAll(page, id, what, names) {
+  for (const name of names) {
+    await offers(page, id, `${what}: ${name}`);
+    await part(page, id).click();
+  }
+  await page.waitForFunction((at) => document.querySelector(`[data-testid="${at}"]`)?.hasAttribute('disabled') === true, id);
+}
+
+test('areas that were painted and marks that were measured are undone and done again by their names, after reloads', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await pair(page);
+  await part(page, 'tool-mask').click();
+  await drawRound(page, SQUARE);
+  await page.keyboard.press('k');
+  await offers(page, 'mask-undo', 'Undo: mask an area of left.png');
+  await drawRound(
+    page,
+    SQUARE.map(([x, y]) => /** @type {const} */ ([x / 2, y / 2])),
+  );
+  await page.keyboard.press('u');
+  await offers(page, 'mask-undo', 'Undo: unmask an area of left.png');
+  const painted = (await savedMask(page)).grey();
+  await part(page, 'unmask-left').click();
+  await offers(page, 'mask-undo', 'Undo: remove the mask of left.png');
+  await drawRound(page, SQUARE);
+  await page.keyboard.press('k');
+  const masks = ['mask an area of left.png', 'unmask an area of left.png', 'remove the mask of left.png', 'mask an area of left.png'];
+  await keptEdits(page, 'pair/masks', 4, 4);
+  const last = (await savedMask(page)).grey();
+  await part(page, 'tab-camera').click();
+  await part(page, 'measure-fiducials-right').click();
+  await part(page, 'view').focus();
+  await page.keyboard.press('Enter');
+  await says(page, 'mark-text', /^Mark 1 lies at/);
+  for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowRight');
+  const at = await part(page, 'mark-text').textContent();
+  await page.keyboard.press('Backspace');
+  const marks = ['measure fiducial mark 1', 'move fiducial mark 1', 'clear fiducial mark 1'].map((name) => `${name} of right.png`);
+  await keptEdits(page, 'pair/marks', 3, 3);
+  await done(page);
+
+  await page.reload();
+  await done(page);
+  await part(page, 'tab-camera').click();
+  await part(page, 'measure-fiducials-right').click();
+  await page.screenshot({ path: join(SHOTS, 'marks-undone-later.png') });
+  await offers(page, 'undo-fiducials-right', 'Undo: clear fiducial mark 1 of right.png');
+  await stepAll(page, 'mark-undo', 'Undo', [...marks].reverse());
+  assert.equal(await part(page, 'fiducials-right').count(), 0);
+  await part(page, 'mark-redo').click();
+  await part(page, 'mark-redo').click();
+  assert.equal(await part(page, 'mark-text').textContent(), at);
+  await part(page, 'mark-end').click();
+  await part(page, 'tool-mask').click();
+  await page.screenshot({ path: join(SHOTS, 'masks-undone-later.png') });
+  await stepAll(page, 'mask-undo', 'Undo', [...masks].reverse());
+  await part(page, 'unmask-left').waitFor({ state: 'hidden' });
+  await again(page);
+  await keptEdits(page, 'pair/masks', 4, 0);
+
+  await page.reload();
+  await done(page);
+  assert.ok(await part(page, 'unmask-left').isHidden());
+  await part(page, 'tool-mask').click();
+  await part(page, 'mask-redo').click();
+  await part(page, 'mask-redo').click();
+  await offers(page, 'mask-redo', 'Redo: remove the mask of left.png');
+  assert.deepEqual((await savedMask(page)).grey(), painted);
+  await stepAll(page, 'mask-redo', 'Redo', masks.slice(2));
+  assert.deepEqual((await savedMask(page)).grey(), last);
+  await again(page);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a mask that an earlier release kept, without its steps, is what was given', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await pair(page);
+  await part(page, 'tool-mask').click();
+  await drawRound(page, SQUARE);
+  await page.keyboard.press('k');
+  await keptEdits(page, 'pair/masks', 1, 1);
+  const mask = (await savedMask(page)).grey();
+  await done(page);
+  await page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        const opening = indexedDB.open('tiepoint');
+        opening.onsuccess = () => {
+          const transaction = opening.result.transaction('parts', 'readwrite');
+          const reading = transaction.objectStore('parts').openCursor();
+          reading.onsuccess = () => {
+            const cursor = reading.result;
+            if (cursor === null) return;
+            const { part: name, value } = cursor.value;
+            if (name.startsWith('pair/masks')) cursor.delete();
+            else if (name === 'pair') {
+              delete value.givenMasks;
+              cursor.update(cursor.value);
+            }
+            cursor.continue();
+          };
+          transaction.oncomplete = () => {
+            opening.result.close();
+            resolve(null);
+          };
+        };
+      }),
+  );
+  await page.reload();
+  await done(page);
+  await part(page, 'tool-mask').click();
+  assert.ok(await part(page, 'mask-undo').isHidden());
+  assert.deepEqual((await savedMask(page)).grey(), mask);
+  await drawRound(
+    page,
+    SQUARE.map(([x, y]) => /** @type {const} */ ([x + 0.2, y + 0.2])),
+  );
+  await page.keyboard.press('k');
+  await stepAll(page, 'mask-undo', 'Undo', ['mask an area of left.png']);
+  assert.deepEqual((await savedMask(page)).grey(), mask);
   assert.deepEqual(complaints, []);
   await close();
 });

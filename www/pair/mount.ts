@@ -134,8 +134,9 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
   };
 
   const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
-  const masking = new Masking(store, (state, side, corners, masked) => paintedMask(engine, state, side, corners, masked));
+  const masking = new Masking(store, (state, side, over, areas) => paintedMask(engine, state, side, over, areas));
   const paint = (masked: boolean) => void attempt(() => masking.paint(masked));
+  const stepMasks = (by: 1 | -1) => void attempt(() => masking.step(by));
   // Where it was cancelled, no place is foretold.
   const marking = new Marking(
     store,
@@ -157,7 +158,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
     view.takeKeys();
   };
   mountDraft(byId('toolbar'), store, editing, { follow: () => navigator.followDraft(), begun: measured, ended: () => view.takeKeys() });
-  mountMasking(byId('view-more'), byId('toolbar'), store, masking, paint);
+  mountMasking(byId('view-more'), byId('toolbar'), store, masking, { paint, step: stepMasks });
   mountMarking(byId('toolbar'), store, marking);
   await breath();
   const pick = pickerOf(files);

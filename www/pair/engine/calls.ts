@@ -33,6 +33,7 @@ import type {
   WindowReport,
 } from '../../shared/crate';
 import type { ImageSource, InteriorOutput, MaskImage, Overview } from '../state/data';
+import type { Area } from '../state/state';
 
 /** Points of both images with what is compared, and the offset between them where the strategy needs one: what matching starts from. */
 export interface MatchInput {
@@ -95,13 +96,14 @@ export interface ReportInput {
   edits: ReportEdits | null;
 }
 
-/** An area of a mask: corners of its outline in px, stride 2. Without `grey` nothing is masked yet. */
+/** Areas of a mask, one over the other. */
 export interface PaintInput {
-  grey: Uint8Array | null;
+  /** The grey values of a mask, or its file, over which they are painted; null: nothing is masked yet. */
+  over: Uint8Array | Blob | null;
   width: number;
   height: number;
-  outline: Float64Array;
-  masked: boolean;
+  /** Corners of each outline in px. */
+  areas: readonly Area[];
   overlaySide: number;
 }
 
@@ -164,7 +166,7 @@ export interface PairCalls {
   epipolar: { input: { project: string; images: [ImageSource, ImageSource] }; output: { archive: Uint8Array<ArrayBuffer>; geometry: EpipolarGeometry } };
   // Files.
   mask: { input: { file: Blob; overlaySide: number }; output: MaskImage };
-  /** A mask with an area masked or no longer, and the same as PNG. */
+  /** A mask with areas masked or no longer, and the same as PNG. */
   paintMask: { input: PaintInput; output: MaskImage & { png: Uint8Array<ArrayBuffer> } };
   parseFiducials: { input: { text: string }; output: Fiducial[] };
   /** Null where the marks do not determine it. */

@@ -28,6 +28,7 @@ import {
   write_pair_project,
 } from '../../../pkg/wasm/tiepoint.js';
 import type { EpipolarFiles } from '../../../pkg/wasm/tiepoint.js';
+import type { SampleImage } from '../../shared/crate';
 import type { Handlers } from '../../shared/engine/messages';
 import type { ImageSource } from '../state/data';
 import type { Input, Output, PairCalls } from './calls';
@@ -97,17 +98,24 @@ function tile({ level, column, row, side }: Input<'tile'>): ImageBitmap | Promis
   return tileOf(greyOf(current), current.photo.width, current.photo.height, level, column, row, side);
 }
 
-async function mask({ file, overlaySide }: Input<'mask'>): Promise<Output<'mask'>> {
+async function decodedGrey(file: Blob): Promise<SampleImage> {
   const decoded = await decode({ kind: 'file', file });
   const { width, height } = decoded;
   const grey = decoded.grey();
   decoded.free();
-  return { width, height, grey, leftOut: shareLeftOut(grey), overlay: await overlayOf(grey, width, height, overlaySide) };
+  return { width, height, grey };
 }
 
-async function paintMask({ grey: before, width, height, outline, masked, overlaySide }: Input<'paintMask'>): Promise<Output<'paintMask'>> {
+async function mask({ file, overlaySide }: Input<'mask'>): Promise<Output<'mask'>> {
+  const decoded = await decodedGrey(file);
+  const { width, height, grey } = decoded;
+  return { ...decoded, leftOut: shareLeftOut(grey), overlay: await overlayOf(grey, width, height, overlaySide) };
+}
+
+async function paintMask({ over, width, height, areas, overlaySide }: Input<'paintMask'>): Promise<Output<'paintMask'>> {
+  const before = over instanceof Blob ? (await decodedGrey(over)).grey : over;
   const grey = before ?? new Uint8Array(width * height).fill(0xff);
-  fill(grey, width, height, outline, masked ? 0 : 0xff);
+  for (const { corners, masked } of areas) fill(grey, width, height, corners, masked ? 0 : 0xff);
   const png = grey_png(width, height, grey) as Uint8Array<ArrayBuffer>;
   return { width, height, grey, leftOut: shareLeftOut(grey), overlay: await overlayOf(grey, width, height, overlaySide), png };
 }

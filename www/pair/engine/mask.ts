@@ -1,4 +1,5 @@
 /** What a mask leaves out: how much, as it is shown over its image, and areas that are painted. */
+import type { Area } from '../state/state';
 
 /** Red, half transparent: `ImageData` keeps bytes in the order red, green, blue, alpha. */
 const LEFT_OUT = 0x99_28_28_d8;
@@ -22,17 +23,9 @@ export function shareLeftOut(grey: Uint8Array): number {
   return zeros / grey.length;
 }
 
-/** Gives the pixels whose middles lie in an outline a value; where it crosses itself, what it goes round at all. `outline`: x and y of its corners in px, stride 2. */
-export function fill(grey: Uint8Array, width: number, height: number, outline: Float64Array, value: number): void {
-  const count = outline.length / 2;
-  for (let row = 0; row < height; row++) {
-    const middle = row + 0.5;
-    const crossings: [x: number, turn: number][] = [];
-    for (let i = 0; i < count; i++) {
-      const next = (i + 1) % count;
-      const [x, y, u, v] = [outline[2 * i] ?? 0, outline[2 * i + 1] ?? 0, outline[2 * next] ?? 0, outline[2 * next + 1] ?? 0];
-      if (y <= middle !== v <= middle) crossings.push([x + ((middle - y) / (v - y)) * (u - x), y <= middle ? 1 : -1]);
-    }
+/** Gives the pixels whose middles lie in an outline a value; where it crosses itself, what it goes round at all. `corners`: x and y in px. */
+export function fill(grey: Uint8Array, width: number, height: number, corners: Area['corners'], value: number): void {
+  for (const [row, crossings] of crossingsOf(corners, height)) {
     crossings.sort(([a], [b]) => a - b);
     let winding = 0;
     for (const [i, [from, turn]] of crossings.entries()) {
@@ -41,6 +34,23 @@ export function fill(grey: Uint8Array, width: number, height: number, outline: F
       if (winding !== 0) grey.fill(value, row * width + columnAfter(from, width), row * width + columnAfter(to, width));
     }
   }
+}
+
+/** Where an outline crosses the middles of rows, and whether downwards (1) or upwards (-1). A mask may be made of thousands of areas: only the rows of each side are gone through. */
+function crossingsOf(corners: Area['corners'], height: number): Map<number, [x: number, turn: number][]> {
+  const rows = new Map<number, [x: number, turn: number][]>();
+  for (const [i, [x, y]] of corners.entries()) {
+    const [u, v] = corners[i + 1] ?? corners[0] ?? [x, y];
+    const [top, bottom] = [Math.min(y, v), Math.max(y, v)];
+    for (let row = Math.max(0, Math.floor(top - 0.5)); row < Math.min(height, bottom); row++) {
+      const middle = row + 0.5;
+      if (middle < top || middle >= bottom) continue;
+      const crossings = rows.get(row) ?? [];
+      crossings.push([x + ((middle - y) / (v - y)) * (u - x), y < v ? 1 : -1]);
+      rows.set(row, crossings);
+    }
+  }
+  return rows;
 }
 
 /** The first column whose middle lies at a place or to the right of it. */

@@ -74,7 +74,8 @@ export class BesideFiles {
     try {
       const fiducials = await this.engine.client('pair').call('parseFiducials', { text });
       here();
-      this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
+      const { fiducials: out } = this.store.state.photos[side];
+      this.store.dispatch({ type: 'marked', step: { side, deed: 'given', at: 0, out, put: fiducials } });
       return info(say('fiducial-of-the-image-from', { fiducials: fiducials.length, side, name: file.name }));
     } catch (error) {
       here();

@@ -1,29 +1,29 @@
 /** Keeps the pair in the browser's storage, and reads it from there. */
 import { constant_offset, parse_camera } from '../../../pkg/wasm/tiepoint.js';
 import { resolved } from '../../shared/crate';
-import type { CameraMm, Catalogue, Fiducial } from '../../shared/crate';
+import type { CameraMm, Catalogue } from '../../shared/crate';
 import type { Kept } from '../../shared/files/database';
 import { fitted, likeOf, listOf, nameOf, objectOf, orNull, positionFrom } from '../../shared/files/keepable';
 import type { Keepable } from '../../shared/files/keepable';
 import { remember } from '../../shared/state/remember';
 import { titleOf } from '../../shared/text/project';
 import type { Engine } from '../engine/engine';
-import type { ImageSource } from '../state/data';
 import { areSame, besideOf, bothSides, isBlank, isWhole, resultsOf, typedOf, unedited } from '../state/kept';
-import type { KeptFile, KeptPair, KeptResult, Typed } from '../state/kept';
+import type { KeptFile, KeptMask, KeptPair, KeptResult, Typed } from '../state/kept';
 import { INITIAL, SIDES } from '../state/state';
-import type { FlightTruth, GivenImage, GivenMask, Side, State } from '../state/state';
+import type { FlightTruth, GivenImage, GivenMask, MaskFile, Side, State } from '../state/state';
 import type { Store } from '../state/store';
 import { Journal } from './journal';
 import { MASK_SIDE } from './beside';
 import { freshId } from './ids';
 import { standingFor } from '../state/project';
 import { knowDigest, projectText, readProject } from './project';
+import { FILE, keptMask, keptSource, maskFrom, sourceFrom } from './sources';
+import { keptMaskFrom, markFrom } from './steps';
 import { say } from '../../shared/text/words';
 
 const GIVEN = 'pair';
 const RESULT = 'pair/result';
-const FILE = 'pair/file/';
 
 /** Room of what is small and not counted, in bytes. */
 const SMALL = 4096;
@@ -45,6 +45,8 @@ const WATCHED = [
   'display',
   'results',
   'history',
+  'maskSteps',
+  'markSteps',
   'draft',
   'shelf',
   'running',
@@ -92,8 +94,8 @@ export class KeptPairs implements Keepable {
     if (given === null) return parts;
     parts.set(GIVEN, { value: given, bytes: SMALL });
     for (const [part, kept] of this.journal.parts(state)) parts.set(part, kept);
-    for (const given of [...Object.values(state.images), ...Object.values(state.masks)]) {
-      if (given !== null) parts.set(FILE + nameOf(given.source), { value: given.source, bytes: bytesOf(given.source), alone: true });
+    for (const given of sourcesOf(state)) {
+      if (given !== null) parts.set(...keptSource(given.source));
     }
     const places = state.truth?.rightPosition;
     if (places !== undefined) parts.set(FILE + nameOf(places), { value: places, bytes: places.byteLength, alone: true });
@@ -112,7 +114,8 @@ export class KeptPairs implements Keepable {
     const kept = givenFrom(value, this.catalogue);
     const { typed, display, flight, paused } = kept;
     const images = bothSides((side) => orNull(kept.images[side], ({ name, file }) => ({ id: freshId(), name, source: sourceFrom(parts, file) })));
-    const { history, draft, shelf } = this.journal.read(parts);
+    const byHand = this.journal.read(parts);
+    const givenMasks = bothSides((side) => orNull(kept.givenMasks[side], (mask) => maskFrom(parts, mask)));
     const result = await this.result(parts, kept);
     SIDES.forEach((side, place) => {
       const image = images[side];
@@ -128,7 +131,7 @@ export class KeptPairs implements Keepable {
     );
     const truth = orNull(kept.truth, (known) => truthFrom(known, kept, parts, images));
     return () => {
-      this.store.dispatch({ type: 'restored', restored: { typed, display, flight, paused, images, masks, truth, history, draft, shelf, opened, result } });
+      this.store.dispatch({ type: 'restored', restored: { typed, display, flight, paused, images, masks, givenMasks, truth, ...byHand, opened, result } });
       if (result !== null) this.made = { kept: result.kept, results: resultsOf(unedited(this.store.state)) };
       const names = this.images();
       if (names.length === 0) return;
@@ -215,6 +218,12 @@ export class KeptPairs implements Keepable {
   }
 }
 
+/** Images, masks, and the files that these were made of. */
+function sourcesOf({ images, masks, givenMasks, maskSteps }: State): (MaskFile | null)[] {
+  const given = maskSteps.edits.map((step) => ('given' in step ? step.given : null));
+  return [...[images, masks, givenMasks].flatMap((of) => Object.values<MaskFile | null>(of)), ...given];
+}
+
 /** The names under which images and masks are kept, as one text. */
 function filesOf({ images, masks }: State): string {
   const files = [images.left, images.right, masks.left, masks.right].map((given) => (given === null ? null : nameOf(given.source)));
@@ -224,8 +233,8 @@ function filesOf({ images, masks }: State): string {
 /** All but files and results; the same object while nothing of it has changed. */
 function givenOf(state: State): KeptPair | null {
   const typed = typedOf(state);
-  const { settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth } = state;
-  return typed === null ? null : given(settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth);
+  const { settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, givenMasks, truth } = state;
+  return typed === null ? null : given(settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, givenMasks, truth);
 }
 
 const given = remember(
@@ -240,6 +249,7 @@ const given = remember(
     paused: State['paused'],
     images: State['images'],
     masks: State['masks'],
+    givenMasks: State['givenMasks'],
     truth: State['truth'],
   ): KeptPair | null => {
     if (settings === null) return null;
@@ -251,6 +261,7 @@ const given = remember(
       paused,
       images: bothSides((side) => orNull(images[side], file)),
       masks: bothSides((side) => orNull(masks[side], file)),
+      givenMasks: bothSides((side) => orNull(givenMasks[side], keptMask)),
       truth: orNull(truth, ({ rightPosition, ...known }) => ({ ...known, file: nameOf(rightPosition) })),
     };
   },
@@ -259,21 +270,21 @@ const given = remember(
 /** @throws Error naming the field that is damaged */
 function givenFrom(value: unknown, catalogue: Catalogue): KeptPair {
   const kept = objectOf(value, 'pair');
-  const file = (one: unknown, name: string): KeptFile => {
-    const { id, name: called, file: at } = objectOf(one, name);
-    return { id: likeOf(id, 0, `${name}.id`), name: likeOf(called, '', `${name}.name`), file: likeOf(at, '', `${name}.file`) };
-  };
-  const files = (name: 'images' | 'masks') => {
+  const file = (one: unknown, name: string): KeptFile => ({ id: likeOf(objectOf(one, name).id, 0, `${name}.id`), ...keptMaskFrom(one, name) });
+  const files = <T>(name: 'images' | 'masks' | 'givenMasks', read: (one: unknown, name: string) => T) => {
     const sides = objectOf(kept[name], name);
-    return bothSides((side) => orNull(sides[side], (one) => file(one, `${name}.${side}`)));
+    return bothSides((side) => orNull(sides[side], (one) => read(one, `${name}.${side}`)));
   };
+  const masks = files('masks', file);
   return {
     typed: typedFrom(kept.typed, catalogue, 'typed'),
     display: fitted(kept.display, INITIAL.display, 'display'),
     flight: orNull(kept.flight, (flight) => fitted(flight, catalogue.flights[0]?.flight ?? {}, 'flight') as State['flight']) ?? null,
     paused: kept.paused === true,
-    images: files('images'),
-    masks: files('masks'),
+    images: files('images', file),
+    masks,
+    // Earlier releases kept no steps: what a mask was then is what was given.
+    givenMasks: kept.givenMasks === undefined ? masks : files<KeptMask>('givenMasks', keptMaskFrom),
     truth: orNull(kept.truth, (truth) => objectOf(truth, 'truth') as unknown as KeptPair['truth']) ?? null,
   };
 }
@@ -292,20 +303,12 @@ function typedFrom(value: unknown, { defaults }: Catalogue, name: string): Typed
     const at = `${name}.photos.${side}`;
     const { fiducials, origin } = objectOf(photos[side], at);
     return {
-      fiducials: listOf(fiducials, `${at}.fiducials`, (mark, place) => objectOf(mark, place) as unknown as Fiducial),
+      fiducials: listOf(fiducials, `${at}.fiducials`, markFrom),
       origin: orNull(origin, (given) => positionFrom(given, `${at}.origin`)),
     };
   };
   const fiducialModel = likeOf(kept.fiducialModel, '', `${name}.fiducialModel`) as Typed['fiducialModel'];
   return { settings, camera, photos: bothSides(photo), fiducialModel, offset };
-}
-
-/** @throws Error where the file is not there */
-function sourceFrom(parts: ReadonlyMap<string, unknown>, file: string): ImageSource {
-  const source = objectOf(parts.get(FILE + file), `file ${file}`) as unknown as ImageSource;
-  if (source.kind === 'file' && !(source.file instanceof Blob)) throw new Error(say('an-image-is-damaged'));
-  nameOf(source, file);
-  return source;
 }
 
 /** The truth of images that have other numbers now. */
@@ -319,15 +322,4 @@ function truthFrom(truth: NonNullable<KeptPair['truth']>, kept: KeptPair, parts:
     return (side === undefined ? null : images[side]?.id) ?? NaN;
   };
   return { ...known, rightPosition, leftId: idOf(truth.leftId), rightId: idOf(truth.rightId) };
-}
-
-function bytesOf(source: ImageSource): number {
-  switch (source.kind) {
-    case 'file':
-      return source.file.size;
-    case 'grey':
-      return source.grey.byteLength;
-    case 'project':
-      return 0;
-  }
 }

@@ -2,6 +2,7 @@
 import { scrolledByKeys } from '../../shared/panel/scrolled';
 import { allowedOfOrigin } from '../engine/checks';
 import type { Fiducial } from '../../shared/crate';
+import { nameOfMarkStep } from '../state/mark-steps';
 import type { Marking } from '../state/marking';
 import { isWhole, wholeMarks, withCoordinatesOf } from '../state/marks';
 import { otherSide } from '../state/state';
@@ -76,15 +77,13 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
   let shown: readonly Fiducial[] | null = null;
   const stage = side === 'left' ? 'interiorLeft' : 'interiorRight';
   store.watch(
-    (s) => [s.photos, s.images] as const,
-    ([, images]) => {
+    (s) => [s.markSteps, s.images] as const,
+    ([history, images]) => {
       const held = [undo, redo].find((press) => press === document.activeElement) ?? null;
-      const { history } = marking;
-      const ofThis = (step: { imageId: number } | undefined) => step !== undefined && step.imageId === images[side]?.id;
-      showSteps(undo, redo, history, ({ name: step }) => step);
+      showSteps(undo, redo, history, (step) => nameOfMarkStep(step, images));
       // Beside the table of what they would change.
-      undo.hidden = !ofThis(history.edits[history.done - 1]);
-      redo.hidden = !ofThis(history.edits[history.done]);
+      undo.hidden = history.edits[history.done - 1]?.side !== side;
+      redo.hidden = history.edits[history.done]?.side !== side;
       passFocus(held, [undo, redo, add]);
     },
   );

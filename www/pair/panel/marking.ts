@@ -5,6 +5,7 @@ import { showSteps, undoKeys } from '../../shared/panel/history';
 import { fixed } from '../../shared/text/format';
 import { say } from '../../shared/text/words';
 import type { Marking } from '../state/marking';
+import { nameOfMarkStep } from '../state/mark-steps';
 import { markInHand, placeOfMark } from '../state/marks';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -42,7 +43,7 @@ export function mountMarking(bar: HTMLElement, store: Store, marking: Marking): 
     (by) => marking.step(by),
   );
   store.watch(
-    (s) => [s.tool, s.mark, s.photos] as const,
+    (s) => [s.tool, s.mark, s.photos, s.markSteps, s.images] as const,
     () => {
       const { state } = store;
       const held = document.activeElement;
@@ -50,7 +51,7 @@ export function mountMarking(bar: HTMLElement, store: Store, marking: Marking): 
       former.disabled = state.mark === null || state.mark.index === 0;
       next.disabled = markInHand(state) === undefined;
       clear.disabled = placeInHand(state) === null;
-      showSteps(undo, redo, marking.history, ({ name }) => name);
+      showSteps(undo, redo, state.markSteps, (one) => nameOfMarkStep(one, state.images));
       // Keys of the pictures go on from a button that has done its work.
       if (buttons.contains(held)) passFocus(held, [byId('view')]);
       const now = textOf(state);

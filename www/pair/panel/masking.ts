@@ -5,19 +5,26 @@ import { showSteps, undoKeys } from '../../shared/panel/history';
 import { save } from '../../shared/files/save';
 import { say } from '../../shared/text/words';
 import { marksHaveKeys } from './marking';
+import { nameOfMaskStep } from '../state/mask-steps';
 import type { Masking } from '../state/masking';
 import { SIDES } from '../state/state';
 import type { Side, State } from '../state/state';
 import type { Store } from '../state/store';
 
-/** The tool with those of the pictures, its buttons in the bar above them. `paint` masks the outlined area, or no longer. */
-export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, masking: Masking, paint: (masked: boolean) => void): void {
+/** What takes a moment: the outlined area is masked, or no longer; the last step is taken back, or made again. */
+export interface MaskDeeds {
+  paint: (masked: boolean) => void;
+  step: (by: 1 | -1) => void;
+}
+
+/** The tool with those of the pictures, its buttons in the bar above them. */
+export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, masking: Masking, { paint, step }: MaskDeeds): void {
   const tool = button(say('mask-areas'), 'tool-mask', () => masking.toggle(), say('outline-areas-in-which-no'));
   const text = h('span', { testid: 'mask-text', role: 'status' });
   const mask = button(say('mask-it'), 'mask-area', () => paint(true), say('no-points-in-the-outlined'));
   const unmask = button(say('unmask-it'), 'unmask-area', () => paint(false), say('points-in-the-outlined-area'));
-  const undo = button(say('undo-sign'), 'mask-undo', () => masking.step(-1));
-  const redo = button(say('redo-sign'), 'mask-redo', () => masking.step(1));
+  const undo = button(say('undo-sign'), 'mask-undo', () => step(-1));
+  const redo = button(say('redo-sign'), 'mask-redo', () => step(1));
   const keep = button(say('save-masks'), 'mask-save', () => saveMasks(store), say('masks-as-png-files-for'));
   const end = button(say('end-masking'), 'mask-end', () => masking.toggle());
   const buttons = h(
@@ -35,11 +42,11 @@ export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, 
   undoKeys(
     // Where the pair is what is shown.
     () => byId('view').offsetParent !== null && store.state.tool === 'mask' && !marksHaveKeys(store.state),
-    (by) => masking.step(by),
+    step,
   );
   bar.append(buttons);
   store.watch(
-    (s) => [s.tool, s.outline, s.images, s.masks] as const,
+    (s) => [s.tool, s.outline, s.images, s.masks, s.maskSteps] as const,
     () => {
       const { state } = store;
       const held = document.activeElement;
@@ -48,7 +55,7 @@ export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, 
       buttons.hidden = state.tool !== 'mask';
       mask.disabled = !masking.isArea();
       unmask.disabled = mask.disabled;
-      showSteps(undo, redo, masking.history, ({ name }) => name);
+      showSteps(undo, redo, state.maskSteps, (one) => nameOfMaskStep(one, state.images));
       keep.disabled = SIDES.every((side) => fileOf(state, side) === null);
       // Keys of the pictures go on from a button that has done its work.
       if (buttons.contains(held)) passFocus(held, [byId('view')]);

@@ -6,11 +6,13 @@ import type { RestoredPair } from './kept';
 import type { OpenedProject } from './project';
 import type { Edit } from './edits';
 import type {
+  Area,
   Display,
   Draft,
   GivenImage,
   GivenMask,
   MarkInHand,
+  MarkStep,
   MatchFilter,
   Outline,
   PhotoData,
@@ -19,6 +21,7 @@ import type {
   StageFailure,
   StageName,
   StageResult,
+  State,
   Tool,
   TypedPart,
 } from './state';
@@ -45,7 +48,13 @@ export type Action =
   | { type: 'refused'; part: TypedPart; label: string | null }
   | { type: 'camera'; camera: CameraMm | null }
   | { type: 'photo'; side: Side; photo: Partial<PhotoData> }
+  /** Fiducial marks change by hand; then: the first `done` of the steps hold from now on. */
+  | { type: 'marked'; step: MarkStep }
+  | { type: 'marksAfter'; done: number }
   | { type: 'mask'; side: Side; mask: GivenMask | null }
+  /** An area was painted; then: the first `done` of the steps hold from now on, with the masks that they make. */
+  | { type: 'painted'; step: { side: Side } & Area; mask: GivenMask }
+  | { type: 'masksAfter'; done: number; masks: State['masks'] }
   | { type: 'fiducialModel'; model: FiducialModel }
   | { type: 'offset'; offset: [number, number] | null }
   | { type: 'stageStarted'; stage: StageName; key: string }

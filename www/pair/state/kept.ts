@@ -10,7 +10,7 @@ import type { Beside, Times } from './project';
 import { progress } from './select';
 import { measuredOn } from './shelf';
 import { INITIAL, SIDES } from './state';
-import type { Display, Draft, FlightTruth, PhotoData, Side, StageName, State } from './state';
+import type { Display, Draft, FlightTruth, MarkStep, MaskStep, PhotoData, Side, StageName, State } from './state';
 
 /** What is typed or read from small files. */
 export interface Typed {
@@ -22,8 +22,12 @@ export interface Typed {
 }
 
 /** A file that is kept by itself, under a name that does not change. */
-export interface KeptFile {
+export interface KeptFile extends KeptMask {
   id: number;
+}
+
+/** What a mask is read from, the same way. */
+export interface KeptMask {
   name: string;
   file: string;
 }
@@ -37,6 +41,7 @@ export interface KeptPair {
   paused: boolean;
   images: Record<Side, KeptFile | null>;
   masks: Record<Side, KeptFile | null>;
+  givenMasks: Record<Side, KeptMask | null>;
   /** The positions in the right image are kept by themselves. */
   truth: (Omit<FlightTruth, 'rightPosition'> & { file: string }) | null;
 }
@@ -61,8 +66,11 @@ export interface RestoredPair {
   paused: boolean;
   images: State['images'];
   masks: State['masks'];
+  givenMasks: State['givenMasks'];
   truth: FlightTruth | null;
   history: History<Edit>;
+  maskSteps: History<MaskStep>;
+  markSteps: History<MarkStep>;
   /** The match that is being measured. */
   draft: Draft | null;
   shelf: State['shelf'];
@@ -160,8 +168,8 @@ export function areSame(kept: readonly unknown[], now: readonly unknown[]): bool
 }
 
 /** The state that shows a pair as it was. Results that other settings made stay so: what is out of date is computed again. */
-export function withKept(state: State, { typed, display, flight, paused, images, masks, truth, history, draft, shelf, opened, result }: RestoredPair): State {
-  const given = { ...typed, display, flight, paused, images, masks, truth, shelf, ...measuredOn(draft, INITIAL.tool) };
+export function withKept(state: State, { typed, history, draft, opened, result, ...others }: RestoredPair): State {
+  const given = { ...typed, ...others, ...measuredOn(draft, INITIAL.tool) };
   const fresh: State = { ...INITIAL, catalogue: state.catalogue, notice: state.notice, ...given };
   if (result === null) return { ...fresh, history };
   const made = withResults({ ...fresh, ...result.typed }, result.project, { ...result.beside, ...opened }, result.times);

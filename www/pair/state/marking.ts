@@ -1,6 +1,5 @@
 /** What a user does to fiducial marks, above all to measure them in the pictures, whatever was pressed for it. */
 import type { Fiducial, FiducialModel, FiducialOrientation } from '../../shared/crate';
-import type { History } from '../../shared/state/history';
 import { roundedPx } from '../../shared/state/pane';
 import type { Position } from '../../shared/state/pane';
 import type { Notice } from '../../shared/state/notice';
@@ -8,10 +7,8 @@ import { say } from '../../shared/text/words';
 import { isMeasured, markInHand, placeOfMark, UNMEASURED, wholeMarks, withCoordinatesOf } from './marks';
 import { isOnImage } from './on-image';
 import { otherSide } from './state';
-import type { PhotoData, Side } from './state';
+import type { Deed, MarkStep, PhotoData, Side } from './state';
 import type { Store } from './store';
-import { Undoing } from './undoing';
-import type { Step } from './undoing';
 
 /** The interior orientation by marks; null where they do not determine it. */
 export type MarkOrienter = (marks: readonly Fiducial[], model: FiducialModel) => Promise<FiducialOrientation | null>;
@@ -22,19 +19,7 @@ const LEAST_AFFINE = 3;
 
 const FIELDS = ['col', 'row', 'x_mm', 'y_mm'] as const;
 
-/** Steps that can be taken back: far more than a photo has marks. */
-const MOST_UNDONE = 1000;
-
-/** What was done to a mark. */
-type Deed = 'measured' | 'moved' | 'nudged' | 'cleared' | 'typed' | 'coordinates' | 'added' | 'removed' | 'all_removed';
-
-interface MarkStep extends Step<Fiducial[]> {
-  deed: Deed;
-  index: number;
-}
-
 export class Marking {
-  private readonly steps: Undoing<Fiducial[], MarkStep>;
   /** What was said of a place beside the picture. */
   private refusal: Notice | null = null;
 
@@ -44,12 +29,6 @@ export class Marking {
     /** Brings a place of an image into view. */
     private readonly show: (side: Side, at: Position) => void,
   ) {
-    this.steps = new Undoing<Fiducial[], MarkStep>(
-      () => store.state,
-      (side) => store.state.photos[side].fiducials,
-      (a, b) => a === b,
-      MOST_UNDONE,
-    );
     // What is known of the other marks tells where this one is.
     store.watch(['photos', 'fiducialModel'], () => {
       const { mark } = store.state;
@@ -86,8 +65,7 @@ export class Marking {
     const { fiducials, origin } = photos[side];
     const [left, top] = origin ?? [0, 0];
     const [col = NaN, row = NaN] = [x + left, y + top].map(roundedPx);
-    const placed: Fiducial = { ...(fiducials[mark.index] ?? UNMEASURED), col, row };
-    this.set(side, [...fiducials.slice(0, mark.index), placed, ...fiducials.slice(mark.index + 1)], deed, mark.index);
+    this.change(side, deed, mark.index, { ...(fiducials[mark.index] ?? UNMEASURED), col, row });
   }
 
   /** Nothing shows a mark beside the picture: a place there is refused, which is said until one on it is taken. */
@@ -110,16 +88,10 @@ export class Marking {
 
   /** The mark in hand is not measured any more. */
   clear(): void {
-    const { mark, photos } = this.store.state;
+    const { mark } = this.store.state;
     const cleared = markInHand(this.store.state);
     if (mark === null || cleared === undefined || !isMeasured(cleared)) return;
-    const { fiducials } = photos[mark.side];
-    this.set(
-      mark.side,
-      fiducials.map((one) => (one === cleared ? { ...one, col: NaN, row: NaN } : one)),
-      'cleared',
-      mark.index,
-    );
+    this.change(mark.side, 'cleared', mark.index, { ...cleared, col: NaN, row: NaN });
   }
 
   /** Changes numbers of a mark that were typed. */
@@ -127,12 +99,7 @@ export class Marking {
     const { fiducials } = this.store.state.photos[side];
     const now = fiducials[index];
     if (now === undefined || FIELDS.every((field) => Object.is(numbers[field] ?? now[field], now[field]))) return;
-    this.set(
-      side,
-      fiducials.map((mark, i) => (i === index ? { ...mark, ...numbers } : mark)),
-      'typed',
-      index,
-    );
+    this.change(side, 'typed', index, { ...now, ...numbers });
   }
 
   /** Takes the photo coordinates that are missing from the other photo, which the same camera took. */
@@ -140,73 +107,50 @@ export class Marking {
     const { photos } = this.store.state;
     const marks = photos[side].fiducials;
     const all = withCoordinatesOf(marks, photos[otherSide(side)].fiducials);
-    const first = marks.findIndex((mark, i) => mark !== all?.[i]);
-    if (all !== null) this.set(side, all, 'coordinates', first < 0 ? marks.length : first);
+    if (all === null) return;
+    const first = all.findIndex((mark, i) => mark !== marks[i]);
+    this.set({ side, deed: 'coordinates', at: first, out: marks.slice(first), put: all.slice(first) });
   }
 
   /** A new mark, whose numbers are to be typed. */
   add(side: Side): void {
-    const { fiducials } = this.store.state.photos[side];
-    this.set(side, [...fiducials, UNMEASURED], 'added', fiducials.length);
+    this.change(side, 'added', this.store.state.photos[side].fiducials.length, UNMEASURED);
   }
 
   remove(side: Side, index: number): void {
-    const { fiducials } = this.store.state.photos[side];
-    this.set(
-      side,
-      fiducials.filter((_, i) => i !== index),
-      'removed',
-      index,
-    );
+    this.change(side, 'removed', index);
   }
 
   removeAll(side: Side): void {
-    if (this.store.state.photos[side].fiducials.length > 0) this.set(side, [], 'all_removed', 0);
-  }
-
-  /** What was done to the marks, and can be taken back and done again. */
-  get history(): History<Step<Fiducial[]>> {
-    return this.steps.history;
+    const { fiducials } = this.store.state.photos[side];
+    if (fiducials.length > 0) this.set({ side, deed: 'all_removed', at: 0, out: fiducials, put: [] });
   }
 
   /** Takes the last step back, or makes it again, and shows its mark. */
   step(by: 1 | -1): void {
-    const gone = this.steps.go(by);
-    if (gone === null) return;
-    const { side, value, step } = gone;
-    const inUse = this.store.state.tool === 'fiducials';
-    this.change(side, value);
+    const { tool, markSteps } = this.store.state;
+    const { edits, done } = markSteps;
+    const step = edits[by < 0 ? done - 1 : done];
+    if (step === undefined) return;
+    this.store.dispatch({ type: 'marksAfter', done: done + by });
     // In the table it is taken back where it was done.
-    if (!inUse) return;
-    this.resume(side, Math.min(step.index, value.length));
+    if (tool !== 'fiducials') return;
+    const { side } = step;
+    this.resume(side, Math.min(step.at, this.store.state.photos[side].fiducials.length));
     this.store.dispatch({ type: 'activeSide', side });
   }
 
-  private set(side: Side, fiducials: Fiducial[], deed: Deed, index: number): void {
-    const { images, photos, tool, mark } = this.store.state;
-    const image = images[side];
-    const { last } = this.steps;
-    const now = photos[side].fiducials;
-    if (image !== null) {
-      // A mark that is moved by many presses of a key is moved once.
-      const goesOn = deed === 'nudged' && last?.deed === deed && last.imageId === image.id && last.index === index;
-      const step = {
-        imageId: image.id,
-        name: say('step-of-mark', { deed, number: index + 1 }),
-        before: goesOn ? last.before : now,
-        after: fiducials,
-        deed,
-        index,
-      };
-      if (goesOn) this.steps.amend(step);
-      else this.steps.record(step);
-    }
-    this.change(side, fiducials);
-    if (tool === 'fiducials' && mark?.side === side && this.store.state.mark === null) this.resume(side, Math.min(index, fiducials.length));
+  /** A mark becomes another one, or goes; behind the last one a new one comes. */
+  private change(side: Side, deed: Deed, at: number, ...put: Fiducial[]): void {
+    this.set({ side, deed, at, out: this.store.state.photos[side].fiducials.slice(at, at + 1), put });
   }
 
-  private change(side: Side, fiducials: Fiducial[]): void {
-    this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
+  private set(step: MarkStep): void {
+    const { tool, mark } = this.store.state;
+    const { side, at } = step;
+    this.store.dispatch({ type: 'marked', step });
+    if (tool !== 'fiducials' || mark?.side !== side || this.store.state.mark !== null) return;
+    this.resume(side, Math.min(at, this.store.state.photos[side].fiducials.length));
   }
 
   /** Goes on with a mark: the tool ended with the one in hand where that may be another one now. */

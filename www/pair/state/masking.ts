@@ -1,23 +1,20 @@
 /** What a user does to masks: areas are outlined, and hold no points from then on, or do so again. */
 import { say } from '../../shared/text/words';
+import { wentTo } from '../../shared/state/history';
 import type { History } from '../../shared/state/history';
 import type { Position } from '../../shared/state/pane';
-import type { GivenMask, Outline, Side, State } from './state';
+import { areasAfter, compositionOf } from './mask-steps';
+import { SIDES } from './state';
+import type { Area, GivenMask, MaskFile, MaskStep, Outline, Side, State } from './state';
 import type { Store } from './store';
-import { sideOf, Undoing } from './undoing';
-import type { Step } from './undoing';
 
-/** Makes a mask of the present one of a side, if any, with an area masked or no longer; null where it was cancelled. */
-export type Painter = (state: State, side: Side, corners: Outline['corners'], masked: boolean) => Promise<GivenMask | null>;
+/** Makes the mask of a side: areas over the grey values of a mask, over a file that is read, or over nothing; null where it was cancelled. */
+export type Painter = (state: State, side: Side, over: Uint8Array | MaskFile | null, areas: readonly Area[]) => Promise<GivenMask | null>;
 
 /** An area has three corners at least. */
 const LEAST_CORNERS = 3;
 
-/** Areas that can be taken back: each holds a whole mask. */
-const MOST_UNDONE = 10;
-
 export class Masking {
-  private readonly steps: Undoing<GivenMask | null>;
   /** What was outlined before the line that is being drawn. */
   private former: Outline | null = null;
   /** Whether the outline was drawn in one go. */
@@ -25,18 +22,13 @@ export class Masking {
   private isTracing = false;
   /** Areas are painted one after the other: each begins with the mask that the one before it left. */
   private painting: Promise<void> = Promise.resolve();
+  /** How many steps are to be gone next; null where something else is next. */
+  private going: { by: number } | null = null;
 
   constructor(
     private readonly store: Store,
     private readonly painter: Painter,
-  ) {
-    this.steps = new Undoing(
-      () => store.state,
-      (side) => store.state.masks[side],
-      (a, b) => a?.id === b?.id,
-      MOST_UNDONE,
-    );
-  }
+  ) {}
 
   /** Whether there is an image to be masked: of a project that was opened the images themselves may be missing. */
   can(): boolean {
@@ -90,23 +82,57 @@ export class Masking {
     const image = outline === null ? null : images[outline.side];
     if (outline === null || image === null || !this.isArea()) return Promise.resolve();
     this.store.dispatch({ type: 'outline', outline: null });
-    // Who painted the area before is told of its failure.
-    this.painting = this.painting.catch(() => {}).then(() => this.painted(image.id, outline.corners, masked));
+    this.going = null;
+    return this.next(() => this.painted(image.id, { corners: outline.corners, masked }));
+  }
+
+  /** Takes the last step back, or makes it again. Those that are asked for before that begins are gone with it. */
+  step(by: 1 | -1): Promise<void> {
+    if (this.going !== null) {
+      this.going.by += by;
+      return this.painting;
+    }
+    const going = { by };
+    this.going = going;
+    return this.next(() => {
+      if (this.going === going) this.going = null;
+      return this.went(going.by);
+    });
+  }
+
+  private next(job: () => Promise<void>): Promise<void> {
+    // Who asked for what was done before is told of its failure.
+    this.painting = this.painting.catch(() => {}).then(job);
     return this.painting;
   }
 
-  /** The areas that can be taken back and painted again. */
-  get history(): History<Step<GivenMask | null>> {
-    return this.steps.history;
+  private async went(by: number): Promise<void> {
+    const { state } = this.store;
+    const steps = wentTo(state.maskSteps, state.maskSteps.done + by);
+    const masks = { ...state.masks };
+    for (const side of SIDES) {
+      const made = await this.made(state, side, steps);
+      if (made === 'cancelled') return;
+      masks[side] = made;
+    }
+    const { masks: now, maskSteps, images } = this.store.state;
+    if (now === state.masks && maskSteps === state.maskSteps && images === state.images) this.store.dispatch({ type: 'masksAfter', done: steps.done, masks });
   }
 
-  /** Takes the area back that was painted last, or paints it again. */
-  step(by: 1 | -1): void {
-    const gone = this.steps.go(by);
-    if (gone !== null) this.store.dispatch({ type: 'mask', side: gone.side, mask: gone.value });
+  /** The mask of an image after other steps. */
+  private async made(state: State, side: Side, steps: History<MaskStep>): Promise<GivenMask | null | 'cancelled'> {
+    const given = state.givenMasks[side];
+    const then = compositionOf(given, steps, side);
+    const more = areasAfter(compositionOf(given, state.maskSteps, side), then);
+    const present = state.masks[side];
+    if (more?.length === 0) return present;
+    if (then.file === null && then.areas.length === 0) return null;
+    const made = more === null ? this.painter(state, side, then.file, then.areas) : this.painter(state, side, present?.grey ?? null, more);
+    return (await made) ?? 'cancelled';
   }
 
-  private async painted(imageId: number, corners: Outline['corners'], masked: boolean): Promise<void> {
+  private async painted(imageId: number, area: Area): Promise<void> {
+    const { corners } = area;
     const { state } = this.store;
     const side = sideOf(this.store.state, imageId);
     if (side === undefined) return;
@@ -119,7 +145,7 @@ export class Masking {
     }
     let mask: GivenMask | null = null;
     try {
-      mask = await this.painter(state, side, corners, masked);
+      mask = await this.painter(state, side, before?.grey ?? null, [area]);
     } finally {
       // What was outlined is not lost.
       if (mask === null) this.outlinedAgain(imageId, corners);
@@ -130,8 +156,7 @@ export class Masking {
       this.outlinedAgain(imageId, corners);
       return;
     }
-    this.steps.record({ imageId, name: say('step-of-mask', { masked: masked ? 'yes' : 'no' }), before, after: mask });
-    this.store.dispatch({ type: 'mask', side: now, mask });
+    this.store.dispatch({ type: 'painted', step: { side: now, ...area }, mask });
     tell('info', say('masks-of-the-image', { name: mask.name, left_out: 100 * mask.leftOut, side: now }));
   }
 
@@ -140,4 +165,9 @@ export class Masking {
     const { outline, tool } = this.store.state;
     if (side !== undefined && outline === null && tool === 'mask') this.store.dispatch({ type: 'outline', outline: { side, corners } });
   }
+}
+
+/** The side of an image; undefined where it is no longer in the pair. */
+function sideOf({ images: { left, right } }: State, imageId: number): Side | undefined {
+  return left?.id === imageId ? 'left' : right?.id === imageId ? 'right' : undefined;
 }

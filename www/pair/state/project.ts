@@ -127,6 +127,7 @@ export function withProject(state: State, { project, images, overviews, masks }:
     offset: input.offset ?? null,
     images,
     masks,
+    givenMasks: masks,
     truth:
       truth === null
         ? null

@@ -1,16 +1,19 @@
 /** How the state changes. Pure: the same state and action give the same state. */
 import type { Action } from './actions';
 import { editedPair, keptText } from './edited';
-import { recorded, wentTo } from '../../shared/state/history';
+import { NO_HISTORY, recorded, wentTo } from '../../shared/state/history';
 import type { History } from '../../shared/state/history';
 import { exchangedDraft } from './draft';
 import { exchanged } from './edits';
 import type { Edit } from './edits';
 import { isCurrent, runKey } from './keys';
-import { withKept } from './kept';
+import { bothSides, withKept } from './kept';
+import { withMarkStep, withMarkStepsDone } from './mark-steps';
+import { withGivenMask } from './mask-steps';
+import { exchangedSides, withoutSides } from './of-sides';
 import { withFiles, withProject } from './project';
 import { exchangedPair, measuredOn } from './shelf';
-import { INITIAL, TYPED_PARTS, UNEDITED } from './state';
+import { INITIAL, SIDES, TYPED_PARTS, UNEDITED } from './state';
 import type { Display, PhotoData, Results, Side, StageName, State, TypedPart } from './state';
 
 const NO_DATA: PhotoData = { fiducials: [], origin: null };
@@ -28,7 +31,11 @@ const DEEDS: ReadonlySet<Action['type']> = new Set([
   'settings',
   'camera',
   'photo',
+  'marked',
+  'marksAfter',
   'mask',
+  'painted',
+  'masksAfter',
   'fiducialModel',
   'offset',
   'display',
@@ -49,10 +56,16 @@ function withTool(next: State, action: Action): State {
   return next.tool === 'fiducials' && next.mark === null && action.type !== 'tool' ? { ...next, tool: 'look' } : next;
 }
 
-/** The mark in hand among the marks of a photo that change; null where it may be another one, or none. */
-function markAmong({ mark, photos }: State, side: Side, { fiducials }: Partial<PhotoData>): State['mark'] {
-  if (mark?.side !== side || fiducials === undefined) return mark;
-  return fiducials.length < photos[side].fiducials.length || mark.index > fiducials.length ? null : mark;
+/** The mark in hand among the marks of photos that change; null where it may be another one, or none. */
+function markAmong({ mark, photos }: State, next: State['photos']): State['mark'] {
+  if (mark === null) return null;
+  const [before, now] = [photos, next].map((of) => of[mark.side].fiducials.length) as [number, number];
+  return now < before || mark.index > now ? null : mark;
+}
+
+/** The state with other marks. */
+function withMarks(state: State, marked: Pick<State, 'photos' | 'markSteps'>): State {
+  return { ...state, ...marked, mark: markAmong(state, marked.photos), paused: false };
 }
 
 /** Fields show new values in place of what they held. */
@@ -88,14 +101,21 @@ function changed(state: State, action: Action): State {
     case 'camera':
       return { ...state, camera: action.camera, paused: false };
     case 'photo':
-      return {
-        ...state,
+      return withMarks(state, {
         photos: { ...state.photos, [action.side]: { ...state.photos[action.side], ...action.photo } },
-        mark: markAmong(state, action.side, action.photo),
-        paused: false,
-      };
+        // Steps on other marks are none on these.
+        markSteps: action.photo.fiducials === undefined ? state.markSteps : withoutSides(state.markSteps, [action.side]),
+      });
+    case 'marked':
+      return withMarks(state, withMarkStep(state, action.step));
+    case 'marksAfter':
+      return withMarks(state, withMarkStepsDone(state, action.done));
     case 'mask':
-      return { ...state, masks: { ...state.masks, [action.side]: action.mask }, paused: false };
+      return { ...state, ...withGivenMask(state, action.side, action.mask), paused: false };
+    case 'painted':
+      return { ...state, masks: { ...state.masks, [action.step.side]: action.mask }, maskSteps: recorded(state.maskSteps, action.step), paused: false };
+    case 'masksAfter':
+      return { ...state, masks: action.masks, maskSteps: wentTo(state.maskSteps, action.done), paused: false };
     case 'fiducialModel':
       return { ...state, fiducialModel: action.model, paused: false };
     case 'offset':
@@ -190,18 +210,23 @@ function withHistory(state: State, history: History<Edit>): State {
 function withImages(state: State, images: Partial<Record<Side, State['images']['left']>>, same: readonly Side[] = []): State {
   const before = state.truth === null ? state : withoutTruth(state);
   const all = { ...before.images, ...images };
-  const goes = (side: Side) => replaced(before, images, side) && !same.includes(side);
+  const unmarked = SIDES.filter((side) => replaced(before, images, side) && !same.includes(side));
+  // A mask belongs to its image.
+  const unmasked = SIDES.filter((side) => images[side] !== undefined);
+  const without = <T>(of: Record<Side, T>, sides: readonly Side[], none: T): Record<Side, T> => bothSides((side) => (sides.includes(side) ? none : of[side]));
   return {
     ...before,
     images: all,
-    photos: { left: goes('left') ? NO_DATA : before.photos.left, right: goes('right') ? NO_DATA : before.photos.right },
-    // A mask belongs to its image.
-    masks: { left: images.left === undefined ? before.masks.left : null, right: images.right === undefined ? before.masks.right : null },
+    photos: without(before.photos, unmarked, NO_DATA),
+    masks: without(before.masks, unmasked, null),
+    givenMasks: without(before.givenMasks, unmasked, null),
     selection: null,
     paused: false,
     failures: {},
     views: { left: null, right: null },
     ...UNEDITED,
+    maskSteps: withoutSides(before.maskSteps, unmasked),
+    markSteps: withoutSides(before.markSteps, unmarked),
     ...exchangedPair(state, all),
   };
 }
@@ -218,6 +243,7 @@ function withoutTruth(state: State): State {
     truth: null,
     camera: null,
     photos: { left: NO_DATA, right: NO_DATA },
+    markSteps: NO_HISTORY,
     offset: null,
   };
 }
@@ -237,6 +263,7 @@ function withSimulated(state: State, { left, right, pair }: Extract<Action, { ty
       left: { fiducials: pair.left_fiducials, origin: pair.left_origin },
       right: { fiducials: pair.right_fiducials, origin: pair.right_origin },
     },
+    markSteps: NO_HISTORY,
     offset: null,
     truth: {
       leftId: left.id,
@@ -262,10 +289,13 @@ function swapped(state: State): State {
     images: { left: state.images.right, right: state.images.left },
     photos: { left: state.photos.right, right: state.photos.left },
     masks: { left: state.masks.right, right: state.masks.left },
+    givenMasks: { left: state.givenMasks.right, right: state.givenMasks.left },
     offset: state.offset === null ? null : [-state.offset[0], -state.offset[1]],
     views: { left: state.views.right, right: state.views.left },
     ...UNEDITED,
     history: exchanged(state.history),
+    maskSteps: exchangedSides(state.maskSteps),
+    markSteps: exchangedSides(state.markSteps),
     ...measuredOn(state.draft === null ? null : exchangedDraft(state.draft), state.tool),
     selection: null,
     failures: {},

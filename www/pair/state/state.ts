@@ -47,6 +47,9 @@ export interface GivenMask extends MaskImage {
   source: ImageSource;
 }
 
+/** What a mask is read from. */
+export type MaskFile = Pick<GivenMask, 'name' | 'source'>;
+
 /** What the user says of a photo. */
 export interface PhotoData {
   fiducials: Fiducial[];
@@ -214,6 +217,27 @@ export interface Outline {
   corners: readonly (readonly [x: number, y: number])[];
 }
 
+/** An area of a mask: it holds no points, or holds them again. */
+export interface Area {
+  corners: Outline['corners'];
+  masked: boolean;
+}
+
+/** What was done to the mask of an image: an area was painted, or a file took its place; null: it was removed. */
+export type MaskStep = { side: Side } & (Area | { given: MaskFile | null });
+
+/** What was done to a fiducial mark. */
+export type Deed = 'measured' | 'moved' | 'nudged' | 'cleared' | 'typed' | 'coordinates' | 'added' | 'removed' | 'all_removed' | 'given';
+
+/** What was done to the marks of a photo: those from a place on that were there gave way to others. */
+export interface MarkStep {
+  side: Side;
+  deed: Deed;
+  at: number;
+  out: readonly Fiducial[];
+  put: readonly Fiducial[];
+}
+
 /** A match that is being measured: a point in one image, then its place in the other. */
 export interface Draft {
   /** The match that is moved; null for a new one. */
@@ -241,6 +265,8 @@ export interface State {
   images: Record<Side, GivenImage | null>;
   photos: Record<Side, PhotoData>;
   masks: Record<Side, GivenMask | null>;
+  /** The masks that were there before all steps. */
+  givenMasks: Record<Side, MaskFile | null>;
   camera: CameraMm | null;
   fiducialModel: FiducialModel;
   /** Offset given by the user; estimated where null. */
@@ -256,7 +282,10 @@ export interface State {
   selection: Selection | null;
   /** What was done to the matches by hand. */
   history: History<Edit>;
-  /** The same of other pairs, which may be opened again. */
+  /** What was done by hand to masks and to fiducial marks. */
+  maskSteps: History<MaskStep>;
+  markSteps: History<MarkStep>;
+  /** The edits of other pairs, which may be opened again. */
   shelf: ReadonlyMap<string, Shelved>;
   /** Keys of the matches that are chosen together, beside the selection. */
   chosen: readonly string[];
@@ -274,9 +303,11 @@ export interface State {
   notice: Notice | null;
 }
 
-/** What belongs to the matches of a pair, and to their edits, goes with its images. */
-export const UNEDITED: Pick<State, 'history' | 'chosen' | 'filter' | 'before' | 'draft' | 'outline' | 'mark'> = {
+/** What belongs to the matches of a pair, and to what was done by hand, goes with its images. */
+export const UNEDITED: Pick<State, 'history' | 'maskSteps' | 'markSteps' | 'chosen' | 'filter' | 'before' | 'draft' | 'outline' | 'mark'> = {
   history: NO_HISTORY,
+  maskSteps: NO_HISTORY,
+  markSteps: NO_HISTORY,
   chosen: [],
   filter: ALL_MATCHES,
   before: null,
@@ -292,6 +323,7 @@ export const INITIAL: State = {
   images: { left: null, right: null },
   photos: { left: { fiducials: [], origin: null }, right: { fiducials: [], origin: null } },
   masks: { left: null, right: null },
+  givenMasks: { left: null, right: null },
   camera: null,
   fiducialModel: 'affine',
   offset: null,

@@ -149,9 +149,9 @@ f-mm = { $message }، { $name ->
     }: { $what }، البعد البؤري { $focal_mm } مم، { $pixel }.{ $cautions }
 they-came-with-the-sample = {" "}(جاءت مع النموذج)
 in-use-the-values-below = المستعمل: القيم أدناه{ $what }{ $told }. { $exif }
-the-focal-length-is-not-used-yet = البعد البؤري غير مستعمل بعد: أعطِ حجم البكسل، أو البعد البؤري بالبكسل، أو العلامات الإطارية للصورتين. { $exif }
+the-focal-length-is-not-used-yet = البعد البؤري غير مستعمل بعد: أعطِ حجم البكسل، أو البعد البؤري بالبكسل، أو الالعلامات الإطاريةية للصورتين. { $exif }
 focal-length-in-px-sets = { $what ->
-        [scans] مع العلامات الإطارية يكون البعد البؤري بالمليمتر.
+        [scans] مع الالعلامات الإطاريةية يكون البعد البؤري بالمليمتر.
         [pixel] يحدد البعد البؤري بالبكسل حجمَ البكسل، بحسب البعد البؤري بالمليمتر.
        *[focal] يحدد البعد البؤري بالبكسل البعدَ البؤري بالمليمتر، بحسب حجم البكسل؛ فإن لم يُعطَ فلبكسلات قدرها 0.001 مم. ويحل محله البعد البؤري وحجم البكسل بالمليمتر.
     }
@@ -284,7 +284,7 @@ marks = العلامات: { $marks }.
 not-determined = غير محددة
 um-1 = { FIXED($value, digits: 1) } ميكرومتر
 marks-degrees-of-freedom = العلامات: { $marks }، σ₀ { $what }، درجات الحرية: { $freedom }.
-fiducial-marks = العلامات الإطارية، { $side ->
+fiducial-marks = الالعلامات الإطاريةية، { $side ->
         [left] اليسرى
        *[right] اليمنى
     }
@@ -349,19 +349,22 @@ clear-mark = محو
 the-mark-is-not-measured = تُعد العلامة غير مقيسة
 end-marking = إغلاق
 step-of-mark = { $deed ->
-        [measured] قياس العلامة { $number }
-        [moved] نقل العلامة { $number }
-        [nudged] نقل العلامة { $number }
-        [cleared] محو قياس العلامة { $number }
-        [typed] تغيير العلامة { $number }
-        [coordinates] أخذ الإحداثيات الصورية
-        [added] إضافة العلامة { $number }
-        [removed] إزالة العلامة { $number }
-       *[all_removed] إزالة كل العلامات
+        [measured] قياس العلامة الإطارية { $number } في { $image }
+        [moved] نقل العلامة الإطارية { $number } في { $image }
+        [nudged] نقل العلامة الإطارية { $number } في { $image }
+        [cleared] محو قياس العلامة الإطارية { $number } في { $image }
+        [typed] تغيير العلامة الإطارية { $number } في { $image }
+        [coordinates] أخذ الإحداثيات الصورية للصورة { $image }
+        [added] إضافة العلامة الإطارية { $number } إلى { $image }
+        [removed] إزالة العلامة الإطارية { $number } من { $image }
+        [given] أخذ جدول العلامات الإطارية للصورة { $image }
+       *[all_removed] إزالة كل العلامات الإطارية من { $image }
     }
-step-of-mask = { $masked ->
-        [yes] تقنيع مساحة
-       *[no] رفع القناع عن مساحة
+step-of-mask = { $deed ->
+        [masked] تقنيع مساحة في { $image }
+        [unmasked] رفع القناع عن مساحة في { $image }
+        [given] استعمال { $mask } قناعًا للصورة { $image }
+       *[removed] إزالة قناع { $image }
     }
 as-in-the-other-image = x وy كما في الصورة { $side ->
         [left] اليسرى
@@ -413,14 +416,14 @@ two-images-are-needed = المطلوب صورتان.
 not-oriented-2 = لم يُوجَّه: { $message }.
 not-oriented-do-both-photos = لم يُوجَّه: { $message }. هل تُظهر الصورتان الأرض نفسها؟
 and-the-matches-do-not = ، والمطابقات لا تحدد البعد البؤري
-not-oriented-give-the-focal = لم يُوجَّه: { $message }{ $untold }. أعط البعد البؤري بالبكسل، أو بالمليمتر مع حجم البكسل أو العلامات الإطارية، في «الكاميرا».
+not-oriented-give-the-focal = لم يُوجَّه: { $message }{ $untold }. أعط البعد البؤري بالبكسل، أو بالمليمتر مع حجم البكسل أو الالعلامات الإطاريةية، في «الكاميرا».
 not-oriented-3 = لم يُوجَّه. { $message }
 value = القيمة
 the-right-photo-relative-to = الصورة اليمنى بالنسبة إلى اليسرى، توجيه نسبي تابع.
 std-error = الخطأ المعياري
 what-the-scatter-of-the = ما يتركه تشتت المطابقات غير مؤكد.
 in-total = الإجمالي
-standard-error-including-what-does = الخطأ المعياري شاملًا ما لا يتلاشى بالمتوسط: تشترك المطابقات المتجاورة في أخطائها لتداخل نوافذها، وتشترك كلها في أخطاء الكاميرا والعلامات الإطارية المقيسة والجدران والأسقف.
+standard-error-including-what-does = الخطأ المعياري شاملًا ما لا يتلاشى بالمتوسط: تشترك المطابقات المتجاورة في أخطائها لتداخل نوافذها، وتشترك كلها في أخطاء الكاميرا والالعلامات الإطاريةية المقيسة والجدران والأسقف.
 half-width-of-the-interval = نصف عرض المجال الذي يحوي المجهول في 95 من 100 حالة: من الخطأ المعياري الأخير، بتوزيع ستودنت لدرجات الحرية.
 paper-2 = البحث
 the-papers-table-3-of = الجدول 3 في البحث، لزوجه
@@ -677,7 +680,7 @@ model-coordinate-at-photo-scale-upwards = إحداثي النموذج بمقيا
 ## view
 
 pictures-of-a-pair-while = صور الزوج، أثناء قياس مطابقة
-pictures-of-a-pair-while-marking = صور الزوج، أثناء قياس العلامات الإطارية
+pictures-of-a-pair-while-marking = صور الزوج، أثناء قياس الالعلامات الإطاريةية
 moves-the-mark-by = يحرك العلامة 0.1 بكسل؛ ومع Shift بكسلًا واحدًا
 goes-to-the-next-mark = ينتقل إلى العلامة التالية
 goes-to-the-mark-before = ينتقل إلى العلامة السابقة

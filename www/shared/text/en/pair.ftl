@@ -378,19 +378,22 @@ clear-mark = Clear
 the-mark-is-not-measured = The mark counts as not measured
 end-marking = Close
 step-of-mark = { $deed ->
-        [measured] measure mark { $number }
-        [moved] move mark { $number }
-        [nudged] move mark { $number }
-        [cleared] clear mark { $number }
-        [typed] change mark { $number }
-        [coordinates] take photo coordinates
-        [added] add mark { $number }
-        [removed] remove mark { $number }
-       *[all_removed] remove all marks
+        [measured] measure fiducial mark { $number } of { $image }
+        [moved] move fiducial mark { $number } of { $image }
+        [nudged] move fiducial mark { $number } of { $image }
+        [cleared] clear fiducial mark { $number } of { $image }
+        [typed] change fiducial mark { $number } of { $image }
+        [coordinates] take photo coordinates for { $image }
+        [added] add fiducial mark { $number } to { $image }
+        [removed] remove fiducial mark { $number } of { $image }
+        [given] take a table of fiducial marks for { $image }
+       *[all_removed] remove all fiducial marks of { $image }
     }
-step-of-mask = { $masked ->
-        [yes] mask an area
-       *[no] unmask an area
+step-of-mask = { $deed ->
+        [masked] mask an area of { $image }
+        [unmasked] unmask an area of { $image }
+        [given] use { $mask } as the mask of { $image }
+       *[removed] remove the mask of { $image }
     }
 as-in-the-other-image = x, y as in the { $side ->
         [left] left
