@@ -108,7 +108,7 @@ const made = () => ({
 
 const named = (/** @type {any} */ { state }) => state.maskSteps.edits.map((/** @type {any} */ step) => nameOfMaskStep(step, state.images));
 
-test('a mask is what its steps make of what was there before them; thousands of steps are undone and done again', async () => {
+test('a mask is what its steps make of what was there before them; all steps are undone and done again', async () => {
   const { store, masking, draw, pixels } = painted();
   const masks = [pixels('left')];
   for (let i = 0; i < 40; i++) {
