@@ -16,7 +16,7 @@ const ROOMS = ['crate', 'choices', 'text', 'state', 'engine', 'view', 'files', '
 const PARTS = ['shared', 'pair', 'block'];
 
 /** Files that may look into another part. */
-const SEAMS = new Set(['block/pair.ts']);
+const SEAMS = new Set(['block/pair.ts', 'block/scans.ts']);
 
 /** What puts the parts together, and what runs apart from them. */
 const TOP = new Set(['turn.ts', 'main.ts', 'program.ts', 'block.ts', 'worker.ts', 'service-worker.ts']);

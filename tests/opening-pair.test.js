@@ -7,6 +7,9 @@ import { pageModules } from './www.js';
 /** @type {Record<string, any>} */
 let page = {};
 
+/** A camera that the block calibrated. */
+const CAMERA = { width_px: 480, height_px: 360, focal_px: 500, principal_point_px: [240, 180] };
+
 /** What was asked of the user, and the answer. */
 const asked = { text: '', answer: false };
 
@@ -31,7 +34,7 @@ async function opened() {
   /** @type {any[]} */
   const notices = [];
   const block = {
-    state: { shown: { view: { images, cameras: [] }, files }, files, options: { settings: null, masks } },
+    state: { shown: { view: { images, cameras: [{ calibrated: CAMERA, given: null }] }, files }, files, options: { settings: null, masks } },
     dispatch: (/** @type {any} */ action) => notices.push(action),
   };
   const store = {
@@ -91,4 +94,12 @@ test('where it cannot be kept the user is asked, and the pair stays where that i
   asked.answer = true;
   await open(false);
   assert.equal(names(), 'a.jpg b.jpg');
+});
+
+test('a pair of a block has its camera, in place of a simulated pair too', async () => {
+  const { store, open } = await opened();
+  store.state = { ...store.state, truth: { leftId: 1, rightId: 2 } };
+  await open();
+  assert.equal(store.state.truth, null);
+  assert.notEqual(store.state.camera, null);
 });

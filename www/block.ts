@@ -2,3 +2,4 @@
 export { blockCatalogue } from './block/engine/catalogue';
 export { mountBlock } from './block/mount';
 export { masksOf, openPair } from './block/pair';
+export { scansBeside } from './block/scans';

@@ -161,12 +161,13 @@ function sayOpening(keeper: Keeper, { store }: Pair): void {
 async function loadBlock(
   catalogue: Catalogue,
   pair: Pair,
-  elsewhere: Omit<Parameters<typeof import('./block/mount').mountBlock>[1], 'openPair' | 'pair'>,
+  elsewhere: Omit<Parameters<typeof import('./block/mount').mountBlock>[1], 'openPair' | 'pair' | 'scans'>,
 ): Promise<Block> {
   // Its words are said as soon as it is there.
   await learnPart('block');
-  const { blockCatalogue, masksOf, mountBlock, openPair } = await loadPart('block.js', () => import('./block'));
+  const { blockCatalogue, masksOf, mountBlock, openPair, scansBeside } = await loadPart('block.js', () => import('./block'));
   const ofBlocks = blockCatalogue(catalogue);
+  const projects = { putAside: () => elsewhere.putAside(pair.kept), stays: elsewhere.stays };
   const block = await mountBlock(ofBlocks, {
     ...elsewhere,
     pair: {
@@ -174,7 +175,8 @@ async function loadBlock(
       masks: () => masksOf(pair.store.state),
       watch: (changed) => pair.store.watch(['images', 'masks'], changed),
     },
-    openPair: (store, images) => openPair(store, elsewhere.modes, pair, { putAside: () => elsewhere.putAside(pair.kept), stays: elsewhere.stays }, images),
+    openPair: (store, images) => openPair(store, elsewhere.modes, pair, projects, images),
+    scans: (store) => scansBeside(store, elsewhere.modes, pair, projects),
   });
   block.store.dispatch({ type: 'ready', catalogue: ofBlocks });
   return block;

@@ -44,10 +44,13 @@ import { mountPlacingSettings } from './panel/placing-settings';
 import { placingTables } from './panel/placing-tables';
 import { plotsView } from './panel/plots-view';
 import { mountResults, showReasons } from './panel/results';
+import { mountScansLine } from './panel/scans-line';
+import type { ScansBeside } from './panel/scans-line';
 import { mountSettings } from './panel/settings';
 import { mountStage } from './panel/stage';
 import type { Choice } from './state/selection';
 import { givenPositions } from './state/given-positions';
+import { nextScans } from './state/scan-marks';
 import { BLOCK_INITIAL, isBusy } from './state/state';
 import type { BlockCatalogue } from './state/state';
 import { mountBlockStatus } from './panel/status';
@@ -81,6 +84,8 @@ interface Elsewhere {
   openPair: (block: BlockStore, images: [number, number]) => Promise<void>;
   /** What the block has to know of the pair. */
   pair: Omit<PairBeside, 'open'>;
+  /** The same where scans are in it, whose marks are measured there. */
+  scans: (block: BlockStore) => ScansBeside;
   /** Opens a project of whatever kind where it belongs. */
   openProject: (file: File) => Promise<void>;
   /** Leaves a part of the page in the list of projects; false where it cannot be. */
@@ -92,7 +97,10 @@ interface Elsewhere {
 }
 
 /** In pieces, between which the page answers what the user does. */
-export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, pair, openProject, putAside, left, stays }: Elsewhere): Promise<Block> {
+export async function mountBlock(
+  catalogue: BlockCatalogue,
+  { modes, openPair, pair, scans: scansOf, openProject, putAside, left, stays }: Elsewhere,
+): Promise<Block> {
   const store: BlockStore = new Holder(BLOCK_INITIAL, reduceBlock);
   const engine = new BlockEngine(store);
   const placing = new PlacingEngine(store);
@@ -111,6 +119,12 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
     open: (images: [number, number]) => void openPair(store, images),
   };
   const beside: PairBeside = { ...pair, open: (images) => openPair(store, images) };
+  const scans = scansOf(store);
+  const toMarks = () => {
+    files.film.areScans();
+    const { film } = store.state.placing;
+    void scans.open(nextScans(film, store.state.files));
+  };
   const actions = h('div', { class: 'actions', role: 'group', aria: { label: say('images-of-the-block') } });
   const exports = h('div', { class: 'actions', role: 'group', aria: { label: say('export-of-the-block') } });
   const settings = tabbed('settings', say('settings'), [
@@ -131,6 +145,15 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   byId('menu').before(drawers);
   document.querySelector('body > main')?.after(main);
   document.querySelector('body > main')?.before(mountBack(store, modes, beside, (masks) => files.beside.takePairMasks(masks)));
+  document.querySelector('body > main')?.before(
+    mountScansLine(store, modes, scans, {
+      take: (tables) => files.film.takeMeasured(tables),
+      back: () => {
+        setDrawer('settings', true);
+        showTab('tab-block-orthophoto');
+      },
+    }),
+  );
   showIn(modes, 'block', [actions, exports, drawers, main]);
 
   const pick = mountActions(actions, store, files);
@@ -172,7 +195,7 @@ export async function mountBlock(catalogue: BlockCatalogue, { modes, openPair, p
   await breath();
   mountSettings(settings.panels[0], store, files, opener);
   await breath();
-  const pickers = mountPlacingSettings(settings.panels[1], store, files);
+  const pickers = mountPlacingSettings(settings.panels[1], store, files, toMarks);
   mountFlight(settings.panels[2], store, files);
   mountProgress(results.panels[0], store);
   mountResults(results.panels[0], store, () => void files.actions.takeOff());

@@ -1,6 +1,6 @@
 /** From a pair of the block to the pair's part of the page, and back. */
 import type { Engine } from '../pair/engine/engine';
-import type { CameraMm } from '../shared/crate';
+import type { CameraMm, Fiducial } from '../shared/crate';
 import { doHere } from '../shared/files/leaving';
 import type { Here } from '../shared/files/leaving';
 import type { Modes } from '../shared/state/mode';
@@ -29,6 +29,11 @@ const BY_HAND = ['camera', 'offset', 'photos', 'masks'] as const;
 
 let given: Given | null = null;
 
+/** From now on nothing that the pair has by hand is lost to the next one. */
+export function isAsGiven({ camera, offset, photos, masks }: Given): void {
+  given = { camera, offset, photos, masks };
+}
+
 /** Whether the pair on the page has what the next one would take away. Edits of its matches are kept by themselves; a simulated pair has its fiducial marks again. */
 function isOwn(state: State): boolean {
   const before = given;
@@ -49,12 +54,12 @@ async function leave(block: BlockStore, state: State, putAside: () => Promise<bo
     : null;
 }
 
-interface Pair {
+export interface Pair {
   store: Store;
   engine: Engine;
 }
 
-interface Projects {
+export interface Projects {
   /** Leaves the pair on the page in the list of projects; false where it cannot be. */
   putAside: () => Promise<boolean>;
   /** Waits for the project that is being left: a pair is opened of the block that is shown now. */
@@ -66,14 +71,7 @@ export function openPair(block: BlockStore, modes: Modes, pair: Pair, { putAside
   return doHere(stays, (here) => opened(block, modes, pair, putAside, images, here));
 }
 
-async function opened(
-  block: BlockStore,
-  modes: Modes,
-  { store, engine }: Pair,
-  putAside: () => Promise<boolean>,
-  [a, b]: [number, number],
-  here: Here,
-): Promise<void> {
+async function opened(block: BlockStore, modes: Modes, pair: Pair, putAside: () => Promise<boolean>, [a, b]: [number, number], here: Here): Promise<void> {
   const { shown } = block.state;
   if (shown === null) return;
   const files = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
@@ -82,29 +80,58 @@ async function opened(
     tell(block, modes, say('the-files-of-these-images'));
     return;
   }
-  const images: Record<Side, GivenImage> = { left: imageOf(left), right: imageOf(right) };
+  await showFiles(block, modes, pair, putAside, { left, right, camera: () => cameraOfImages(shown.view, a, b), opened: [a, b] }, here);
+}
+
+/** What is shown in place of the pair on the page. */
+interface ToShow {
+  left: BlockFile;
+  /** Null: one image alone. */
+  right: BlockFile | null;
+  camera: () => CameraMm | null;
+  /** The marks of a side, which are measured before the images are matched. */
+  marks?: (side: Side) => Fiducial[];
+  /** The pair of the block that these are. */
+  opened: [number, number] | null;
+}
+
+/** Shows images of the block; false where they cannot be opened, or the user keeps the pair that is there. */
+export async function showFiles(
+  block: BlockStore,
+  modes: Modes,
+  { store, engine }: Pair,
+  putAside: () => Promise<boolean>,
+  { left, right, camera: cameraOf, marks, opened: ofBlock }: ToShow,
+  here: Here,
+): Promise<boolean> {
+  const images: Record<Side, GivenImage | null> = { left: imageOf(left), right: right && imageOf(right) };
   let camera: CameraMm | null;
   let masks: Record<Side, GivenMask | null>;
   try {
-    camera = cameraOfImages(shown.view, a, b);
-    await Promise.all([engine.open('left', images.left), engine.open('right', images.right)]);
-    masks = { left: await maskFor(engine, block, left), right: await maskFor(engine, block, right) };
+    camera = cameraOf();
+    await Promise.all(SIDES.map((side) => images[side] && engine.open(side, images[side])));
+    masks = { left: await maskFor(engine, block, left), right: right && (await maskFor(engine, block, right)) };
     here();
   } catch (error) {
     here();
     tell(block, modes, say('the-pair-cannot-be-shown', { error: messageOf(error) }));
-    return;
+    return false;
   }
   const stays = isOwn(store.state) ? await leave(block, store.state, putAside, here) : '';
-  if (stays === null) return;
-  readyFor(store, block, camera);
+  if (stays === null) return false;
   store.dispatch({ type: 'images', images });
-  for (const side of SIDES) if (masks[side] !== null) store.dispatch({ type: 'mask', side, mask: masks[side] });
-  const { state } = store;
-  given = { camera: state.camera, offset: state.offset, photos: state.photos, masks: state.masks };
+  // Of the images before them nothing is to be computed with it.
+  readyFor(store, block, camera);
+  for (const side of SIDES) {
+    if (masks[side] !== null) store.dispatch({ type: 'mask', side, mask: masks[side] });
+    if (marks !== undefined && images[side] !== null) store.dispatch({ type: 'photo', side, photo: { fiducials: marks(side) } });
+  }
+  if (marks !== undefined) store.dispatch({ type: 'wait' });
+  isAsGiven(store.state);
   if (stays !== '') store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('stay-under-projects', { title_of: stays }) } });
-  block.dispatch({ type: 'openedPair', images: [a, b] });
+  block.dispatch({ type: 'openedPair', images: ofBlock });
   modes.dispatch('pair');
+  return true;
 }
 
 /** The block's settings of features and its camera, in place of whatever the pair before had. */

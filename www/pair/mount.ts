@@ -43,6 +43,7 @@ import { mountToolbar } from './panel/toolbar';
 import { Editing } from './state/editing';
 import { Marking } from './state/marking';
 import { Masking } from './state/masking';
+import type { Side } from './state/state';
 import { Store } from './state/store';
 import { mountInput } from './view/input';
 import { Navigator } from './view/navigate';
@@ -55,6 +56,8 @@ export interface Pair {
   engine: Engine;
   /** What of it is kept in the browser's storage. */
   kept: Keepable;
+  /** Begins to measure fiducial marks in the image of a side, or ends it where they are measured there. */
+  measureMarks: (side: Side) => void;
   /** Takes files from now on. */
   begin: () => void;
   taker: Taker;
@@ -171,18 +174,13 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
   mountControls(settings, store, settingsButton);
   mountCamera(camera, store, () => pick(null));
   await breath();
-  mountFiducials(
-    camera,
-    store,
-    (side) => pick(side),
-    marking,
-    (side) => {
-      marking.toggle(side);
-      if (store.state.tool !== 'fiducials') return;
-      uncoverPictures();
-      byId('view').focus();
-    },
-  );
+  const measureMarks = (side: Side) => {
+    marking.toggle(side);
+    if (store.state.tool !== 'fiducials') return;
+    uncoverPictures();
+    byId('view').focus();
+  };
+  mountFiducials(camera, store, (side) => pick(side), marking, measureMarks);
   await breath();
   mountCounts(results, store);
   mountGeometry(results, store);
@@ -237,6 +235,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
     store,
     engine,
     kept,
+    measureMarks,
     begin: () => files.begin(),
     taker: takerOf(store, view, files),
     open: (file) => files.takeProject(file),

@@ -7,10 +7,17 @@ import { say } from '../../shared/text/words';
 import type { BlockStore } from '../engine/engine';
 import type { TextFile } from '../state/file';
 import { NO_FILM, withMarks } from '../state/film';
+import { framesStep } from '../state/frames-step';
 import { textIn } from '../../shared/files/text';
 
 /** So many files are named in a message. */
 const LISTED = 5;
+
+/** The first of these. */
+function namesOf(files: readonly { name: string }[]): string {
+  const names = files.slice(0, LISTED).map(({ name }) => name);
+  return names.join(', ') + (files.length > LISTED ? ' …' : '');
+}
 
 /** What is said of files: what they are, or what is wrong with one. */
 interface Said {
@@ -56,9 +63,20 @@ export class FilmFiles {
     }
     here();
     this.store.dispatch({ type: 'film', film: withMarks(this.store.state.placing.film, marks) });
-    const names = files.slice(0, LISTED).map(({ name }) => name);
-    const name = names.join(', ') + (files.length > LISTED ? ' …' : '');
-    return { kind: 'info', text: say('from', { texts: say('marks-of-scans'), name }) };
+    return { kind: 'info', text: say('from', { texts: say('marks-of-scans'), name: namesOf(files) }) };
+  }
+
+  /** All images are scans from now on, whose marks are measured. */
+  areScans(): void {
+    this.store.dispatch({ type: 'film', film: { ...this.store.state.placing.film, areScans: true } });
+  }
+
+  /** Takes marks that were measured in scans, as if their tables were given. */
+  takeMeasured(tables: readonly TextFile[]): void {
+    const { film } = this.store.state.placing;
+    this.store.dispatch({ type: 'film', film: withMarks(film, tables) });
+    const said = say('from', { texts: say('marks-of-scans'), name: namesOf(tables) });
+    this.tell({ kind: 'info', text: `${said} ${framesStep(this.store.state)}`.trimEnd() });
   }
 
   /** Leaves no image a scan of film. */

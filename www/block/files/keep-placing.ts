@@ -87,8 +87,13 @@ export function placingFrom(
 /** Projects of earlier versions have none. */
 function filmFrom(given: unknown): GivenFilm {
   if (given === undefined) return NO_FILM;
-  const { camera, marks } = objectOf(given, 'placing.film');
-  return { camera: orNull(camera, (text) => textFrom(text, 'placing.film.camera')), marks: listOf(marks, 'placing.film.marks', textFrom) };
+  const { camera, marks, areScans } = objectOf(given, 'placing.film');
+  return {
+    camera: orNull(camera, (text) => textFrom(text, 'placing.film.camera')),
+    marks: listOf(marks, 'placing.film.marks', textFrom),
+    // Earlier releases kept none.
+    areScans: areScans === true,
+  };
 }
 
 function textFrom(given: unknown, name: string): TextFile {

@@ -4,13 +4,15 @@ import { fileButton } from '../../shared/panel/picker';
 import { say } from '../../shared/text/words';
 import type { BlockStore } from '../engine/engine';
 import type { BlockFiles } from '../files/files';
-import { framesOf, marksOfNone } from '../state/film';
+import { framesOf, marksOfNone, possibleScans } from '../state/film';
+import { countedScans } from '../state/scan-marks';
 import { isBusy } from '../state/state';
 
 /** Names of marks that are listed, at most. */
 const LISTED = 3;
 
-export function filmFields(store: BlockStore, files: BlockFiles): HTMLElement {
+/** `measureMarks`: in the pictures of scans that have none yet. */
+export function filmFields(store: BlockStore, files: BlockFiles, measureMarks: () => void): HTMLElement {
   const { film: taken } = files;
   const [camera, cameraInput] = fileButton(
     `${say('film-camera')} …`,
@@ -24,16 +26,22 @@ export function filmFields(store: BlockStore, files: BlockFiles): HTMLElement {
     { testid: 'block-film-marks', label: say('file', { title: say('marks-of-scans') }), multiple: true, accept: '.csv,.txt,text/*' },
     (given) => void taken.takeMarks(given),
   );
+  const measure = button(`${say('measure-marks')} …`, 'block-film-measure', measureMarks, say('measure-marks-help'));
   const remove = button(say('remove'), 'block-film-remove', () => taken.clear());
   remove.setAttribute('aria-label', say('remove-2', { title: say('scanned-film') }));
   const frames = button(say('make-frames'), 'block-film-frames', () => void files.actions.frames());
   const cameraName = h('p', { class: 'note', testid: 'block-film-camera-name' });
   const marksNames = h('p', { class: 'note', testid: 'block-film-marks-names' });
+  const counted = h('p', { class: 'note', testid: 'block-film-counted' });
   const problem = h('p', { class: 'field-problem', testid: 'block-film-problem' });
   store.watch(['placing', 'files', 'running', 'notice'], ([{ film, placed }, images]) => {
     const busy = isBusy(store.state);
     for (const press of [camera, marks, remove]) press.disabled = busy;
-    remove.hidden = film.camera === null && film.marks.length === 0;
+    measure.disabled = busy || possibleScans(images).length === 0;
+    remove.hidden = film.camera === null && film.marks.length === 0 && !film.areScans;
+    const count = countedScans(film, images);
+    counted.hidden = count.scans === 0;
+    fill(counted, say('marks-of-some-scans', count));
     const scans = framesOf(film, images);
     // What was placed would be lost.
     frames.disabled = busy || film.camera === null || scans.length === 0 || scans.some(({ id }) => placed.has(id));
@@ -50,7 +58,17 @@ export function filmFields(store: BlockStore, files: BlockFiles): HTMLElement {
     'fieldset',
     { class: 'group' },
     h('legend', {}, say('scanned-film')),
-    h('div', { class: 'control' }, h('div', { class: 'buttons' }, camera, marks, remove), cameraName, marksNames, problem, cameraInput, marksInput),
+    h(
+      'div',
+      { class: 'control' },
+      h('div', { class: 'buttons' }, camera, marks, measure, remove),
+      cameraName,
+      marksNames,
+      counted,
+      problem,
+      cameraInput,
+      marksInput,
+    ),
     h('div', { class: 'control' }, frames, h('p', { class: 'help' }, say('make-frames-help'))),
   );
 }

@@ -27,7 +27,8 @@ export interface PlacingPickers {
   heights: () => void;
 }
 
-export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files: BlockFiles): PlacingPickers {
+/** `measureMarks`: of scans of film. */
+export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files: BlockFiles, measureMarks: () => void): PlacingPickers {
   const accept = 'image/*,.tif,.tiff,.tfw,.jgw,.pgw,.wld,.prj,.asc,.txt';
   const [orthophoto, orthophotoInput] = fileButton(
     say('orthophoto-2'),
@@ -73,7 +74,7 @@ export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files
       defaults: () => ({ placing: catalogue.placing }),
       refused: (parameter) => store.dispatch({ type: 'refused', parameter }),
     });
-    fill(host, given, filmFields(store, files), ...sections.elements);
+    fill(host, given, filmFields(store, files, measureMarks), ...sections.elements);
     store.watch(
       (s) => [s.placing.options] as const,
       ([options]) => {

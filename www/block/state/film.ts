@@ -6,9 +6,11 @@ export interface GivenFilm {
   camera: TextFile | null;
   /** One a scan, named as its image. */
   marks: readonly TextFile[];
+  /** The user measures marks: all images are scans, whether anything is given of them or not. */
+  areScans: boolean;
 }
 
-export const NO_FILM: GivenFilm = { camera: null, marks: [] };
+export const NO_FILM: GivenFilm = { camera: null, marks: [], areScans: false };
 
 /** What a scan is placed by beside its pixels, as its files have it. */
 export interface FilmTexts {
@@ -25,20 +27,34 @@ export function filmOf({ camera, marks }: GivenFilm, image: string): FilmTexts |
 /** Whether a pattern is that of the names of frames of a film, as the crate gives it: no image that is none fits it by chance. */
 export const isOfFrames = (pattern: string): boolean => /^\*-film\d*\.png$/u.test(pattern);
 
+/** Whether an image is the frame of a scan, by its name. */
+const isFrame = (name: string): boolean => /-film\d*\.png$/u.test(name);
+
 /** What the frame of a scan is called by the pattern of its film. */
 export function frameName(scan: string, pattern: string): string {
   // A function: signs of dollar in names are no references.
   return pattern.replace('*', () => scan.replace(/\.[^.]*$/u, ''));
 }
 
-/** The images that are scans of film. */
+/** The images that may be scans: those that are no frames of some. */
+export function possibleScans<T extends { name: string }>(images: readonly T[]): T[] {
+  return images.filter(({ name }) => !isFrame(name));
+}
+
+/** The images that are scans, with marks or without: all that are no frames, where anything is given of film. */
+export function scansOf<T extends { name: string }>(film: GivenFilm, images: readonly T[]): T[] {
+  const isFilm = film.camera !== null || film.areScans || framesOf(film, images).length > 0;
+  return isFilm ? possibleScans(images) : [];
+}
+
+/** The scans of which frames can be made: those that have marks. */
 export function framesOf<T extends { name: string }>(film: GivenFilm, images: readonly T[]): T[] {
   return images.filter(({ name }) => filmOf(film, name) !== null);
 }
 
 /** Whether some images are scans of which frames are to be made first, before a block is. */
 export function awaitsFrames(film: GivenFilm, images: readonly { name: string }[]): boolean {
-  return framesOf(film, images).length > 0;
+  return scansOf(film, images).length > 0;
 }
 
 /** With these marks in place of those of the same scans. */

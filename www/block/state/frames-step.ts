@@ -1,6 +1,7 @@
 /** What is to be done with scans of film before a block is run. */
 import { say } from '../../shared/text/words';
-import { awaitsFrames } from './film';
+import { awaitsFrames, framesOf } from './film';
+import { countedScans } from './scan-marks';
 import { purposeOf } from './purpose';
 import type { BlockState } from './state';
 
@@ -8,5 +9,8 @@ import type { BlockState } from './state';
 export function framesStep(state: BlockState): string {
   const { film } = state.placing;
   if (purposeOf(state) === 'images' || !awaitsFrames(film, state.files)) return '';
-  return film.camera === null ? say('marks-need-their-camera') : say('press-frames', { make: say('make-frames') });
+  const { measured, scans } = countedScans(film, state.files);
+  if (framesOf(film, state.files).length === 0) return say('press-measure-marks', { measure: say('measure-marks') });
+  const step = film.camera === null ? say('marks-need-their-camera') : say('press-frames', { make: say('make-frames') });
+  return measured === scans ? step : `${step} ${say('marks-of-some-scans', { measured, scans })}`;
 }

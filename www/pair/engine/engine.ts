@@ -109,7 +109,7 @@ export class Engine implements Workers {
     window.clearTimeout(this.timer);
     for (const stage of STAGE_NAMES) {
       const { state } = this.store;
-      if (state.paused || state.running[stage] !== undefined) continue;
+      if ((state.paused && !isOfMarks(state, stage)) || state.running[stage] !== undefined) continue;
       const key = wantedKeys(state)[stage];
       if (key === null || state.results[stage]?.key === key || state.failures[stage]?.key === key) continue;
       if (isReady(state, stage)) void this.run(stage, key);
@@ -155,6 +155,11 @@ export class Engine implements Workers {
       failure: { key, ended, error: refused, message: plainMessage(stage, error, this.store.state.catalogue) },
     });
   }
+}
+
+/** Whether a stage says how well marks fit: that goes on while they are measured, in a pair that waits too. */
+function isOfMarks({ tool }: State, stage: StageName): boolean {
+  return tool === 'fiducials' && (stage === 'interiorLeft' || stage === 'interiorRight');
 }
 
 /** The matches that are oriented in this state. */

@@ -1,4 +1,6 @@
 /** What the answer says while nothing is answered yet: what runs, how far it is, what went wrong, and what to do. */
+import { hasMarks } from '../state/kept';
+import { isCurrent } from '../state/keys';
 import { STAGES } from '../state/stages';
 import { anyStale, currentFailure, isBusy, progress } from '../state/select';
 import type { StageName, State } from '../state/state';
@@ -74,8 +76,8 @@ function answerWith(state: State, notice: Notice | null, actions: AnswerActions)
   if (notice?.kind === 'busy') return line('busy', notice.text);
   if (state.paused) {
     const { openLeft, openRight } = state.results;
-    const text = say(openLeft === undefined && openRight === undefined ? 'cancelled-the-images-stay' : 'cancelled-results-on-the-screen');
-    return { ...line('idle', text), more: notice?.text ?? '' };
+    const opened = openLeft === undefined && openRight === undefined ? 'cancelled-the-images-stay' : 'cancelled-results-on-the-screen';
+    return { ...line('idle', say(waitsForMarks(state) ? 'the-images-wait-for-run' : opened)), more: notice?.text ?? '' };
   }
   if (failure !== null && !isOrientation(failure)) return line('problem', `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd());
   const [refused] = Object.values(state.refused);
@@ -85,6 +87,12 @@ function answerWith(state: State, notice: Notice | null, actions: AnswerActions)
   if (notice.beside === true) return { ...answer, said: notice.text };
   if (answer.verdict === null) return line('idle', notice.text);
   return { ...answer, more: `${answer.more ?? ''} ${notice.text}`.trimStart() };
+}
+
+/** Whether a pair waits with its marks, of which nothing was matched yet. */
+function waitsForMarks(state: State): boolean {
+  const isBegun = isCurrent(state, 'pointsLeft') || isCurrent(state, 'pointsRight');
+  return !isBegun && (state.tool === 'fiducials' || hasMarks(state));
 }
 
 /** Matches that determine no orientation are a result all the same. */

@@ -31,8 +31,8 @@ export type StageDone = { [S in StageName]: { type: 'stageDone'; stage: S; resul
 export type Action =
   | { type: 'ready'; catalogue: Catalogue }
   /** `same`: the sides whose new image has the same content as the one before it. */
-  // `waits`: until Run is pressed.
-  | { type: 'images'; images: Partial<Record<Side, GivenImage>>; same?: readonly Side[]; waits?: boolean }
+  // `waits`: until Run is pressed. Null: no image any more.
+  | { type: 'images'; images: Partial<Record<Side, GivenImage | null>>; same?: readonly Side[]; waits?: boolean }
   | { type: 'simulated'; left: GivenImage; right: GivenImage; pair: SamplePair }
   | { type: 'opened'; opened: OpenedProject }
   /** What the browser kept. */
@@ -63,6 +63,8 @@ export type Action =
   | { type: 'stageStopped'; stage: StageName }
   | { type: 'cancelled' }
   | { type: 'resume' }
+  /** Nothing is matched until the user asks for it, or changes something other than marks that are being measured. */
+  | { type: 'wait' }
   | { type: 'select'; selection: Selection | null }
   /** Something is done to matches by hand. */
   | { type: 'edit'; edit: Edit }

@@ -171,12 +171,22 @@ export function areSame(kept: readonly unknown[], now: readonly unknown[]): bool
 export function withKept(state: State, { typed, history, draft, opened, result, ...others }: RestoredPair): State {
   const given = { ...typed, ...others, ...measuredOn(draft, INITIAL.tool) };
   const fresh: State = { ...INITIAL, catalogue: state.catalogue, notice: state.notice, ...given };
-  if (result === null) return { ...fresh, history };
+  if (result === null) return withOpened({ ...fresh, history }, opened);
   const made = withResults({ ...fresh, ...result.typed }, result.project, { ...result.beside, ...opened }, result.times);
   // What the edits do is compared with what was before all of them.
   const { orientation } = made.results;
   const before = history.done === 0 || orientation === undefined ? null : { run: runKey(made), orientation: orientation.value };
   return { ...made, ...typed, history, before };
+}
+
+/** With the images as they were opened, which are shown in a pair that waits, too. */
+function withOpened(state: State, opened: RestoredPair['opened']): State {
+  const results: State['results'] = {};
+  for (const stage of ['openLeft', 'openRight'] as const) {
+    const [key, value] = [wantedKeys(state)[stage], opened[stage]];
+    if (key !== null && value !== undefined) results[stage] = { key, value, milliseconds: 0 };
+  }
+  return { ...state, results };
 }
 
 /** The same of both sides. */

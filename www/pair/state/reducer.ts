@@ -65,7 +65,8 @@ function markAmong({ mark, photos }: State, next: State['photos']): State['mark'
 
 /** The state with other marks. */
 function withMarks(state: State, marked: Pick<State, 'photos' | 'markSteps'>): State {
-  return { ...state, ...marked, mark: markAmong(state, marked.photos), paused: false };
+  // A pair that waits is not matched anew at each mark.
+  return { ...state, ...marked, mark: markAmong(state, marked.photos), paused: state.paused && state.tool === 'fiducials' };
 }
 
 /** Fields show new values in place of what they held. */
@@ -110,6 +111,8 @@ function changed(state: State, action: Action): State {
       return withMarks(state, withMarkStep(state, action.step));
     case 'marksAfter':
       return withMarks(state, withMarkStepsDone(state, action.done));
+    case 'wait':
+      return { ...state, paused: true };
     case 'mask':
       return { ...state, ...withGivenMask(state, action.side, action.mask), paused: false };
     case 'painted':

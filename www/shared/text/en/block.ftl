@@ -110,6 +110,7 @@ press-place = Press Place.
 press-run = Press Run.
 open-the-setting = Open “{ $label }”
 press-frames = Press { $make } under Scanned film, in the settings of the orthophoto.
+press-measure-marks = Press { $measure } under Scanned film, in the settings of the orthophoto, or give a table of fiducial marks for each scan.
 the-block-is-unchanged = { $what }: { $error }. The block is unchanged.
 all-images-of-the-block = All images of the block are there.
 of-of-the-block-are = { $files } of { $size } of the block are there.
@@ -419,6 +420,18 @@ what-they-mask-holds-no = What they mask holds no points in the block either, fr
 masks-are-of-the-block = The masks of { $names } are those of the block now.
 pairs-of-the-block-open-here = Pairs of the block open here, too: { $names } has most matches; others are chosen on its map, in its matrix or table.
 
+## panel/scans-line
+
+marks-of-this-scan = Marks of { $name }
+use-marks-in-the-block = Use the marks in the block
+the-tables-of-marks-become = The measured marks become the tables of marks of these scans, in place of those that they have
+next-scans = Next scans
+next-scans-help = The next one or two scans without marks; once all have marks, one after the other again
+marks-without-mm = { $name }: { $marks ->
+        [one] 1 mark has
+       *[other] { COUNT($marks) } marks have
+    } no x and y in mm; type them under Camera, in the settings.
+
 ## panel/mosaic
 
 was-saved-2 = { $name } was saved.{ $store }
@@ -562,6 +575,12 @@ marks-of-scans = Fiducial marks of scans
 none-film-camera = No film camera. The calibrated camera of scanned photos on film, a JSON file: { $example }.
 none-marks-of-scans = No fiducial marks. A table of col, row, x_mm, y_mm for each scan, named as its image: { $example } for { $image }.
 marks-of-no-image = No image has the name of { $name }: fiducial marks are named as the image of their scan.
+measure-marks = Measure marks
+measure-marks-help = Opens scans without fiducial marks, two at a time, in the view of pairs, where their marks are pressed in the pictures
+marks-of-some-scans = Marks of { COUNT($measured) } of { $scans ->
+        [one] 1 scan
+       *[other] { COUNT($scans) } scans
+    }.
 make-frames = Make images of one camera
 make-frames-help = For a block: resamples each scan by its fiducial marks to the image of an ideal camera, one for all of them, without distortion. These images take the place of the scans, with masks of the marks and the file of their camera. Masks of the scans, image measurements that were made in them, and their GNSS positions go along.
 resampling-scan = Resampling { $name }

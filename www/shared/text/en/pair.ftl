@@ -629,6 +629,7 @@ whether-the-match-is-right = Whether the match is right: within 1.5 px of where 
 ## panel/status
 
 cancelled-the-images-stay = Cancelled. The images stay: press Run to open them.
+the-images-wait-for-run = The images are not matched while their fiducial marks are measured: press Run to match them.
 cancelled-results-on-the-screen = Cancelled. Results on the screen are kept. Press Run, or change a setting, to go on.
 not-oriented-4 = Not oriented: { $matches }.
 

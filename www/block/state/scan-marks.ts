@@ -1,0 +1,102 @@
+/** Fiducial marks of scans of the block that are measured in the pair's part of the page: which scans come next, and what of the marks the block takes. */
+import { interior, orient_fiducials, parse_camera, parse_fiducials } from '../../../pkg/wasm/tiepoint.js';
+import type { Fiducial } from '../../../pkg/wasm/tiepoint.js';
+import { sentence } from '../../shared/text/format';
+import { messageOf } from '../../shared/text/messages';
+import { say } from '../../shared/text/words';
+import type { TextFile } from './file';
+import { filmOf, scansOf } from './film';
+import type { GivenFilm } from './film';
+
+/** A scan in the pair's part of the page. */
+export interface MeasuredScan {
+  /** Its name. */
+  image: string;
+  /** The marks that are measured and have photo coordinates, in px of the image. */
+  marks: readonly Fiducial[];
+  /** How many are measured and have no photo coordinates. */
+  withoutMm: number;
+  /** Width and height in px, once it is open. */
+  size: readonly [number, number] | null;
+}
+
+/** So many scans are measured beside each other. */
+const TOGETHER = 2;
+
+const COLUMNS = ['col', 'row', 'x_mm', 'y_mm'] as const;
+
+/** The table of marks of a scan, as it would be given as a file. */
+export function tableOfMarks(image: string, marks: readonly Fiducial[]): TextFile {
+  const rows = marks.map((mark) => COLUMNS.map((column) => String(mark[column])));
+  return { name: `${image.replace(/\.[^.]*$/u, '')}.csv`, text: [COLUMNS, ...rows].map((row) => `${row.join(',')}\n`).join('') };
+}
+
+/** The marks that the block has of a scan. */
+export function marksOfScan(film: GivenFilm, image: string): Fiducial[] {
+  const own = filmOf(film, image);
+  return own === null ? [] : parse_fiducials(own.marks);
+}
+
+/** The marks with which measuring a scan begins: those that the block has, else those of the scan that has most, of which the positions are to be measured. */
+export function marksToMeasure(film: GivenFilm, image: string): Fiducial[] {
+  const own = marksOfScan(film, image);
+  if (own.length > 0) return own;
+  const most = film.marks.map(({ text }) => parse_fiducials(text)).reduce<Fiducial[]>((best, marks) => (marks.length > best.length ? marks : best), []);
+  return most.map(({ x_mm, y_mm }) => ({ col: NaN, row: NaN, x_mm, y_mm }));
+}
+
+/** The scans that are measured next, beside those that are shown; once all have marks they are gone through again. */
+export function nextScans<T extends { name: string }>(film: GivenFilm, images: readonly T[], shown: readonly string[] = []): T[] {
+  const scans = scansOf(film, images);
+  const isOther = ({ name }: T) => !shown.includes(name);
+  const lacking = scans.filter(({ name }) => filmOf(film, name) === null);
+  if (lacking.length > 0) return lacking.filter(isOther).slice(0, TOGETHER);
+  const after = scans.findLastIndex(({ name }) => shown.includes(name)) + 1;
+  return [...scans.slice(after), ...scans.slice(0, after)].filter(isOther).slice(0, TOGETHER);
+}
+
+/** How many scans there are, and how many of them have marks. */
+export function countedScans(film: GivenFilm, images: readonly { name: string }[]): { measured: number; scans: number } {
+  const scans = scansOf(film, images);
+  return { measured: scans.filter(({ name }) => filmOf(film, name) !== null).length, scans: scans.length };
+}
+
+/** Whether the block has all that is measured in a scan. */
+export function isInBlock(film: GivenFilm, { image, marks, withoutMm }: MeasuredScan): boolean {
+  return withoutMm === 0 && (marks.length === 0 || !differs(film, image, marks));
+}
+
+function differs(film: GivenFilm, image: string, marks: readonly Fiducial[]): boolean {
+  // What a file has in other words may be the same.
+  return tableOfMarks(image, marks).text !== tableOfMarks(image, marksOfScan(film, image)).text;
+}
+
+/** The tables that the block can take of the scans: of those whose marks suffice, and are others than the block has. */
+export function tablesToTake(film: GivenFilm, scans: readonly MeasuredScan[]): TextFile[] {
+  return scans.flatMap((scan) => {
+    const { image, marks } = scan;
+    return marks.length > 0 && differs(film, image, marks) && faultOf(film, scan) === '' ? [tableOfMarks(image, marks)] : [];
+  });
+}
+
+/** What the marks of scans lack, for which the block does not take them, or not all of them; nothing of a scan without any. */
+export function lackOf(film: GivenFilm, scans: readonly MeasuredScan[]): string {
+  const said = scans.flatMap((scan) => {
+    const { image, marks, withoutMm } = scan;
+    const lone = withoutMm === 0 ? '' : say('marks-without-mm', { name: image, marks: withoutMm });
+    const fault = marks.length === 0 ? '' : faultOf(film, scan);
+    return [lone, fault === '' ? '' : `${image}: ${fault}`].filter((text) => text !== '');
+  });
+  return said.join(' ');
+}
+
+/** Why the marks of a scan give no interior orientation. */
+function faultOf({ camera }: GivenFilm, { marks, size }: MeasuredScan): string {
+  try {
+    if (camera === null || size === null) orient_fiducials([...marks], 'affine');
+    else interior(parse_camera(camera.text), { width: size[0], height: size[1], fiducials: [...marks] });
+    return '';
+  } catch (error) {
+    return sentence(messageOf(error));
+  }
+}
