@@ -165,7 +165,7 @@ async function loadBlock(
 ): Promise<Block> {
   // Its words are said as soon as it is there.
   await learnPart('block');
-  const { blockCatalogue, masksOf, mountBlock, openPair, scansBeside } = await loadPart('block.js', () => import('./block'));
+  const { blockCatalogue, masksOf, matchesOf, mountBlock, openPair, scansBeside } = await loadPart('block.js', () => import('./block'));
   const ofBlocks = blockCatalogue(catalogue);
   const projects = { putAside: () => elsewhere.putAside(pair.kept), stays: elsewhere.stays };
   const block = await mountBlock(ofBlocks, {
@@ -173,7 +173,9 @@ async function loadBlock(
     pair: {
       names: () => [pair.store.state.images.left?.name ?? null, pair.store.state.images.right?.name ?? null],
       masks: () => masksOf(pair.store.state),
+      matches: () => matchesOf(pair.store.state),
       watch: (changed) => pair.store.watch(['images', 'masks'], changed),
+      watchMatches: (changed) => pair.store.watch(['results', 'history'], changed),
     },
     openPair: (store, images) => openPair(store, elsewhere.modes, pair, projects, images),
     scans: (store) => scansBeside(store, elsewhere.modes, pair, projects),

@@ -105,6 +105,7 @@ export async function mountBlock(
   const engine = new BlockEngine(store);
   const placing = new PlacingEngine(store);
   const onGround = new BlockPlacing(store, engine, placing);
+  const facts = new Facts(store, engine);
   const runs = new BlockRuns(store, engine, placing, onGround, new GroundFiles(store, placing));
   const leave = () => {
     placing.cancel();
@@ -144,7 +145,7 @@ export async function mountBlock(
   byId('page-actions').before(actions, exports);
   byId('menu').before(drawers);
   document.querySelector('body > main')?.after(main);
-  document.querySelector('body > main')?.before(mountBack(store, modes, beside, (masks) => files.beside.takePairMasks(masks)));
+  document.querySelector('body > main')?.before(mountBack(store, facts, modes, beside, (masks) => files.beside.takePairMasks(masks)));
   document.querySelector('body > main')?.before(
     mountScansLine(store, modes, scans, {
       take: (tables) => files.film.takeMeasured(tables),
@@ -202,7 +203,6 @@ export async function mountBlock(
   await breath();
   const placedSample = () => void files.simulated.sampleOnOrthophoto({ ...catalogue.flight, ...PLACED_SAMPLE }, PLACED_GSD_M);
   const sample = () => void files.simulated.sample({ ...catalogue.flight, ...SAMPLE });
-  const facts = new Facts(store, engine);
   let measures: Measures | null = null;
   const images = imagesView(engine, placing, facts, pick, (made) => {
     measures = made;

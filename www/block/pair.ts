@@ -4,7 +4,14 @@ import type { CameraMm, Fiducial } from '../shared/crate';
 import { doHere } from '../shared/files/leaving';
 import type { Here } from '../shared/files/leaving';
 import type { Modes } from '../shared/state/mode';
+import { remember } from '../shared/state/remember';
 import { hasData, isWorthKeeping } from '../pair/state/kept';
+import { BY_HAND } from '../pair/state/codes';
+import { placeOfLeft, targetOfLeft } from '../pair/state/edited';
+import type { Edited } from '../pair/state/edited';
+import { isNothing, standingOf } from '../pair/state/edits';
+import type { Standing } from '../pair/state/edits';
+import { shownPair } from '../pair/state/select';
 import { SIDES } from '../pair/state/state';
 import { MASK_SIDE } from '../pair/files/beside';
 import type { GivenImage, GivenMask, Side, State } from '../pair/state/state';
@@ -13,6 +20,7 @@ import { isLacking } from './state/lacking';
 import { cameraOfImages } from './state/pair-camera';
 import { maskOf } from './state/masks';
 import type { PairMask } from './state/masks';
+import type { MatchPlace, PairMatches } from './state/pair-matches';
 import type { BlockFile } from './state/state';
 import type { BlockStore } from './engine/engine';
 import { titleOf } from '../shared/text/project';
@@ -25,7 +33,7 @@ let nextId = -1;
 /** What the user gives a pair by hand, as a pair of a block had it when it was opened: of that nothing is lost to the next one. */
 type Given = Pick<State, 'camera' | 'offset' | 'photos' | 'masks'>;
 
-const BY_HAND = ['camera', 'offset', 'photos', 'masks'] as const;
+const GIVEN_PARTS = ['camera', 'offset', 'photos', 'masks'] as const;
 
 let given: Given | null = null;
 
@@ -37,7 +45,7 @@ export function isAsGiven({ camera, offset, photos, masks }: Given): void {
 /** Whether the pair on the page has what the next one would take away. Edits of its matches are kept by themselves; a simulated pair has its fiducial marks again. */
 function isOwn(state: State): boolean {
   const before = given;
-  if (before !== null && BY_HAND.every((part) => state[part] === before[part])) return false;
+  if (before !== null && GIVEN_PARTS.every((part) => state[part] === before[part])) return false;
   const { photos, masks, truth } = state;
   return isWorthKeeping(state) || SIDES.some((side) => masks[side] !== null || (truth === null && hasData(photos[side])));
 }
@@ -168,6 +176,30 @@ export function masksOf({ images, masks }: State): PairMask[] {
     return image === null || source?.kind !== 'file' ? [] : [{ image: image.name, file: source.file }];
   });
 }
+
+/** What was done to the matches of a pair by hand; null where nothing was, and while they are matched. */
+export function matchesOf(state: State): PairMatches | null {
+  const standing = standingOf(state.history.edits, state.history.done);
+  if (isNothing(standing)) return null;
+  const { edited } = shownPair(state);
+  return edited === null ? null : byHandOf(edited, standing);
+}
+
+const byHandOf = remember((edited: Edited, standing: Standing): PairMatches => {
+  const rejected: MatchPlace[] = [];
+  edited.match.rules.forEach((rule, left) => {
+    if (rule !== BY_HAND) return;
+    const target = targetOfLeft(edited, left);
+    // One that was moved before is where it was found; what was measured by hand alone is where it was measured.
+    rejected.push(target === null || typeof target === 'number' ? placeOfLeft(edited, left) : target);
+  });
+  const measured = [...standing.placed].filter(([key]) => !standing.rejected.has(key));
+  return {
+    rejected,
+    used: edited.match.matches,
+    measured: measured.map(([, { target, at }]) => ({ at, of: typeof target === 'number' ? null : target })),
+  };
+});
 
 function fileOf(block: BlockStore, name: string | undefined): BlockFile | undefined {
   const { shown, files } = block.state;

@@ -376,6 +376,22 @@ the-tables-of-marks-become = تصير العلامات المقيسة جداول
 next-scans = المسوح التالية
 next-scans-help = المسح التالي أو المسحان التاليان بلا علامات؛ وحين تكون لها جميعًا علامات، واحدًا بعد الآخر من جديد
 marks-without-mm = { $name }: علامات بلا x وy بالمليمتر: { COUNT($marks) }؛ اكتبها تحت «الكاميرا» في الإعدادات.
+reject-matches-in-the-block = رفض { $matches ->
+        [one] مطابقة واحدة
+        [two] مطابقتين
+        [few] { COUNT($matches) } مطابقات
+       *[other] { COUNT($matches) } مطابقة
+    } في الكتلة أيضًا
+rejects-their-observations = يرفض رصدتي كل نقطة ربط جمعتها هذه المطابقات، في خطوة واحدة من تعديلات الكتلة، والتراجع عنها هناك
+measured-matches-into-the-block = أخذ { $matches ->
+        [one] مطابقة مقيسة واحدة
+        [two] مطابقتين مقيستين
+        [few] { COUNT($matches) } مطابقات مقيسة
+       *[other] { COUNT($matches) } مطابقة مقيسة
+    } إلى الكتلة
+they-become-tie-points = يصير ما قيس يدويًا نقاط ربط في الكتلة، والمطابقة التي نُقلت تنقل رصدتي نقطة ربطها، في خطوة واحدة من تعديلات الكتلة
+rejected-without-tie-point = مرفوضة هنا بلا نقطة ربط في الكتلة: { COUNT($without) } من { COUNT($rejected) }.
+edit-and-figures = في الكتلة: { $edit }؛ { $figures }.
 pairs-of-the-block-open-here = تُفتح هنا أزواج الكتلة أيضًا: { $names } أكثرها مطابقات؛ وتُختار الأخرى من خريطة الكتلة أو مصفوفتها أو جدولها.
 was-saved-2 = حُفظ { $name }.{ $store }
 laying-the-orthomosaic-under-the = يُفرش الموزاييك المصحح تحت الخريطة …

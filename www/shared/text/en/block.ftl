@@ -418,6 +418,18 @@ back-to-the-block = ← Back to the block
 use-masks-in-the-block = Use the masks in the block
 what-they-mask-holds-no = What they mask holds no points in the block either, from its next run on
 masks-are-of-the-block = The masks of { $names } are those of the block now.
+reject-matches-in-the-block = Reject { $matches ->
+        [one] 1 match
+       *[other] { COUNT($matches) } matches
+    } in the block, too
+rejects-their-observations = Rejects both observations of each tie point that they joined, as one step of the block’s edits, which is undone there
+measured-matches-into-the-block = Take { $matches ->
+        [one] 1 measured match
+       *[other] { COUNT($matches) } measured matches
+    } into the block
+they-become-tie-points = What was measured by hand becomes tie points of the block, and a match that was moved moves the observations of its tie point, as one step of the block’s edits
+rejected-without-tie-point = Rejected here without a tie point in the block: { COUNT($without) } of { COUNT($rejected) }.
+edit-and-figures = In the block: { $edit }; { $figures }.
 pairs-of-the-block-open-here = Pairs of the block open here, too: { $names } has most matches; others are chosen on its map, in its matrix or table.
 
 ## panel/scans-line
