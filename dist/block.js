@@ -1,5 +1,5 @@
-import { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, EPIPOLAR, Holder, IMAGE_FILE, Journal, Layers, MASK_SIDE, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf as maskOf$1, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, sidewaysNote, smooth, sortRasters, swatch, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
-import { asFigure, asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
+import { ACCEPTED, Archive, BY_HAND as BY_HAND$3, CANDIDATE, CallError, Cancelled, EPIPOLAR, Holder, IMAGE_FILE, Journal, Layers, MASK_SIDE, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior, isCurrent, isHidden, isMeasured, isMode, isNothing, isOpen, isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf as maskOf$1, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf as standingOf$1, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, wholeMarks, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { arrange, asFigure, asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
 function blockCatalogue({ parameters, flightParameters }) {
@@ -155,7 +155,8 @@ function placesBefore({ left, places }, now) {
 // www/block/state/film.ts
 var NO_FILM = {
 	camera: null,
-	marks: []
+	marks: [],
+	areScans: false
 };
 function filmOf({ camera, marks }, image) {
 	const own = marks.find(({ name }) => stemOf(name) === stemOf(image));
@@ -165,14 +166,21 @@ function filmOf({ camera, marks }, image) {
 	};
 }
 var isOfFrames = (pattern) => /^\*-film\d*\.png$/u.test(pattern);
+var isFrame = (name) => /-film\d*\.png$/u.test(name);
 function frameName(scan, pattern) {
 	return pattern.replace("*", () => scan.replace(/\.[^.]*$/u, ""));
+}
+function possibleScans(images) {
+	return images.filter(({ name }) => !isFrame(name));
+}
+function scansOf(film, images) {
+	return film.camera !== null || film.areScans || framesOf(film, images).length > 0 ? possibleScans(images) : [];
 }
 function framesOf(film, images) {
 	return images.filter(({ name }) => filmOf(film, name) !== null);
 }
 function awaitsFrames(film, images) {
-	return framesOf(film, images).length > 0;
+	return scansOf(film, images).length > 0;
 }
 function withMarks(film, marks) {
 	const byStem = new Map([...film.marks, ...marks].map((own) => [stemOf(own.name), own]));
@@ -1929,10 +1937,10 @@ var addedPoints = remember((edits, given) => {
 	for (const image of images) for (const { places } of points) places.delete(image);
 	return new Map(points.map((point) => [point.edit.name, point]));
 });
-var BY_HAND$3 = /^orthophoto_hand_(\d+)$/u;
-var isPlaceByHand = (name) => BY_HAND$3.test(name);
+var BY_HAND$2 = /^orthophoto_hand_(\d+)$/u;
+var isPlaceByHand = (name) => BY_HAND$2.test(name);
 function nextPlace({ edits }) {
-	const numbers = edits.flat().map((edit) => edit.kind === "add_control" ? Number(BY_HAND$3.exec(edit.name)?.[1] ?? 0) : 0);
+	const numbers = edits.flat().map((edit) => edit.kind === "add_control" ? Number(BY_HAND$2.exec(edit.name)?.[1] ?? 0) : 0);
 	return 1 + Math.max(0, ...numbers);
 }
 // www/block/state/aside.ts
@@ -2064,7 +2072,7 @@ var NO_NAMES = {
 	givenControl: 0,
 	system: null
 };
-function namesOf$1({ images, surveyed, connections, givenControl, crs }) {
+function namesOf$2({ images, surveyed, connections, givenControl, crs }) {
 	const connected = connections.filter(({ outcome }) => outcome.kind === "connected").map((pair) => keyOfPair(pair.images));
 	return {
 		images: images.map(({ name }) => name),
@@ -2265,11 +2273,11 @@ function connectionsOf(view) {
 	CONNECTIONS.set(view, made);
 	return made;
 }
-function matchesOf({ outcome }) {
+function matchesOf$1({ outcome }) {
 	return outcome.kind === "connected" ? outcome.matches : 0;
 }
 function mostMatches({ connections }) {
-	return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
+	return connections.reduce((high, connection) => Math.max(high, matchesOf$1(connection)), 0);
 }
 function describe({ view, given }, choice, gsd = "") {
 	switch (choice.kind) {
@@ -2741,7 +2749,7 @@ function carried(state, view) {
 	const [last] = way.slice(-1);
 	if (last !== void 0) {
 		const back = way.reduce((steps, one) => marksBefore(one, steps), marks);
-		const regained = carriedOver(last.history, last.names, namesOf$1(view), true);
+		const regained = carriedOver(last.history, last.names, namesOf$2(view), true);
 		if (regained.lost + regained.aside.length > 0 || last.names.givenControl !== view.givenControl) {
 			const { edits, said, ofPlaces } = keptMeanwhile(regained, back, last.names);
 			const places = back.edits.map((step) => step.after);
@@ -2775,14 +2783,14 @@ function carried(state, view) {
 	const waiting = awaitedOf(state);
 	const now = {
 		tiePoints: shown.tiePoints,
-		names: namesOf$1(shown.found),
+		names: namesOf$2(shown.found),
 		history,
 		spots: shown.ground?.places ?? null
 	};
 	const { tiePoints, names, history: steps, spots } = waiting ?? now;
 	const beside = waiting === null ? marks : marksBefore(waiting, marks);
 	const isSame = tiePoints === after;
-	const found = carriedOver(steps, names, namesOf$1(view), isSame);
+	const found = carriedOver(steps, names, namesOf$2(view), isSame);
 	if (isSame && found.lost + found.aside.length === 0 && names.givenControl === view.givenControl) return {
 		edits: {
 			...UNEDITED,
@@ -2852,9 +2860,9 @@ function carriedToGround(state, view, isOff, again) {
 	const { history, marks, shown, former } = state;
 	const gone = isOff ? 0 : state.awaiting?.ofPlaces ?? 0;
 	const saidOfGone = gone === 0 ? "" : say("of-points-of-the-former", { lost: gone });
-	const names = shown === null ? NO_NAMES : namesOf$1(shown.found);
+	const names = shown === null ? NO_NAMES : namesOf$2(shown.found);
 	const isSame = names.givenControl === view.givenControl && withoutPlaces$1(names).surveyed.size === names.surveyed.size;
-	const found = isSame ? allCarried(history) : carriedOver(history, names, withoutPlaces$1(namesOf$1(view)), true, again);
+	const found = isSame ? allCarried(history) : carriedOver(history, names, withoutPlaces$1(namesOf$2(view)), true, again);
 	const { history: left, left: places, aside } = isOff ? placesSetAside(found.history, view.givenControl) : {
 		...allCarried(found.history),
 		aside: 0
@@ -2890,7 +2898,7 @@ function carriedToGround(state, view, isOff, again) {
 }
 function arrived(awaited, { marks, former }, view, again) {
 	const { history, names, sameTiePoints } = awaited;
-	const found = carriedOver(history, names, withoutPlaces$1(namesOf$1(view)), sameTiePoints, again);
+	const found = carriedOver(history, names, withoutPlaces$1(namesOf$2(view)), sameTiePoints, again);
 	const { edits, said } = keptOf(found, marksBefore(awaited, marks), names);
 	const ofIt = former.map((one) => one.history === history ? {
 		...one,
@@ -3404,7 +3412,7 @@ function placesOf$4({ observations }) {
 	}));
 }
 var ONE_PLACE_PX = 5;
-function apart(points) {
+function apart$1(points) {
 	let farthest = null;
 	const seen = new Map();
 	for (const point of points) for (const { image, x_px, y_px } of placesOf$4(point)) {
@@ -3568,7 +3576,7 @@ function namesIn({ shown, history }) {
 	return shown === null ? NO_NAMES : namedIn(shown.found, history.edits);
 }
 var namedIn = remember((found, steps) => {
-	const names = namesOf$1(found);
+	const names = namesOf$2(found);
 	const added = [...addedPoints(steps.flat(), found.givenControl).values()].map(({ edit, control }) => [control, edit.name]);
 	return added.length === 0 ? names : {
 		...names,
@@ -3592,7 +3600,7 @@ function toJoin({ selection, shown }, facts) {
 function join(store, facts) {
 	const points = toJoin(store.state, facts);
 	if (points === null) return;
-	const far = apart(points);
+	const far = apart$1(points);
 	if (far === null) {
 		makeStep(store, joined(points));
 		return;
@@ -4791,11 +4799,97 @@ async function saveAs(store, engine, kind, near = EXPORT) {
 		});
 	}
 }
+// www/block/state/scan-marks.ts
+var TOGETHER = 2;
+var COLUMNS$1 = [
+	"col",
+	"row",
+	"x_mm",
+	"y_mm"
+];
+function tableOfMarks(image, marks) {
+	const rows = marks.map((mark) => COLUMNS$1.map((column) => String(mark[column])));
+	return {
+		name: `${image.replace(/\.[^.]*$/u, "")}.csv`,
+		text: [COLUMNS$1, ...rows].map((row) => `${row.join(",")}\n`).join("")
+	};
+}
+function marksOfScan(film, image) {
+	const own = filmOf(film, image);
+	return own === null ? [] : parse_fiducials(own.marks);
+}
+function marksToMeasure(film, image) {
+	const own = marksOfScan(film, image);
+	if (own.length > 0) return own;
+	return film.marks.map(({ text }) => parse_fiducials(text)).reduce((best, marks) => marks.length > best.length ? marks : best, []).map(({ x_mm, y_mm }) => ({
+		col: NaN,
+		row: NaN,
+		x_mm,
+		y_mm
+	}));
+}
+function nextScans(film, images, shown = []) {
+	const scans = scansOf(film, images);
+	const isOther = ({ name }) => !shown.includes(name);
+	const lacking = scans.filter(({ name }) => filmOf(film, name) === null);
+	if (lacking.length > 0) return lacking.filter(isOther).slice(0, TOGETHER);
+	const after = scans.findLastIndex(({ name }) => shown.includes(name)) + 1;
+	return [...scans.slice(after), ...scans.slice(0, after)].filter(isOther).slice(0, TOGETHER);
+}
+function countedScans(film, images) {
+	const scans = scansOf(film, images);
+	return {
+		measured: scans.filter(({ name }) => filmOf(film, name) !== null).length,
+		scans: scans.length
+	};
+}
+function isInBlock(film, { image, marks, withoutMm }) {
+	return withoutMm === 0 && (marks.length === 0 || !differs(film, image, marks));
+}
+function differs(film, image, marks) {
+	return tableOfMarks(image, marks).text !== tableOfMarks(image, marksOfScan(film, image)).text;
+}
+function tablesToTake(film, scans) {
+	return scans.flatMap((scan) => {
+		const { image, marks } = scan;
+		return marks.length > 0 && differs(film, image, marks) && faultOf(film, scan) === "" ? [tableOfMarks(image, marks)] : [];
+	});
+}
+function lackOf(film, scans) {
+	return scans.flatMap((scan) => {
+		const { image, marks, withoutMm } = scan;
+		const lone = withoutMm === 0 ? "" : say("marks-without-mm", {
+			name: image,
+			marks: withoutMm
+		});
+		const fault = marks.length === 0 ? "" : faultOf(film, scan);
+		return [lone, fault === "" ? "" : `${image}: ${fault}`].filter((text) => text !== "");
+	}).join(" ");
+}
+function faultOf({ camera }, { marks, size }) {
+	try {
+		if (camera === null || size === null) orient_fiducials([...marks], "affine");
+		else interior(parse_camera(camera.text), {
+			width: size[0],
+			height: size[1],
+			fiducials: [...marks]
+		});
+		return "";
+	} catch (error) {
+		return sentence(messageOf(error));
+	}
+}
 // www/block/state/frames-step.ts
 function framesStep(state) {
 	const { film } = state.placing;
 	if (purposeOf(state) === "images" || !awaitsFrames(film, state.files)) return "";
-	return film.camera === null ? say("marks-need-their-camera") : say("press-frames", { make: say("make-frames") });
+	const { measured, scans } = countedScans(film, state.files);
+	if (framesOf(film, state.files).length === 0) return say("press-measure-marks", { measure: say("measure-marks") });
+	const step = film.camera === null ? say("marks-need-their-camera") : say("press-frames", { make: say("make-frames") });
+	return measured === scans ? step : `${step} ${say("marks-of-some-scans", {
+		measured,
+		scans
+	})}`;
 }
 // www/block/state/of-file.ts
 var PROJECT_FILE = /\.tiepoint$/iu;
@@ -5088,7 +5182,7 @@ var BlockActions = class {
 			leaves: false
 		});
 		const { shown, history } = this.store.state;
-		const names = shown === null ? null : namesOf$1(shown.found);
+		const names = shown === null ? null : namesOf$2(shown.found);
 		const isSame = shown !== null && shown.tiePoints !== "" && shown.key === wantedKey(this.store.state);
 		const { lost, aside } = names === null ? NOTHING_LOST : carriedOver(history, names, withoutPlaces$1(names), isSame);
 		if (lost + aside.length === 0 || lacksPlaceAlone(this.store.state)) return this.runs.run(here);
@@ -5439,6 +5533,9 @@ var BesideFiles = class {
 };
 // www/block/files/film.ts
 var LISTED$2 = 5;
+function namesOf$1(files) {
+	return files.slice(0, LISTED$2).map(({ name }) => name).join(", ") + (files.length > LISTED$2 ? " …" : "");
+}
 var FilmFiles = class {
 	store;
 	takeHere;
@@ -5489,14 +5586,37 @@ var FilmFiles = class {
 			type: "film",
 			film: withMarks(this.store.state.placing.film, marks)
 		});
-		const name = files.slice(0, LISTED$2).map(({ name }) => name).join(", ") + (files.length > LISTED$2 ? " …" : "");
 		return {
 			kind: "info",
 			text: say("from", {
 				texts: say("marks-of-scans"),
-				name
+				name: namesOf$1(files)
 			})
 		};
+	}
+	areScans() {
+		this.store.dispatch({
+			type: "film",
+			film: {
+				...this.store.state.placing.film,
+				areScans: true
+			}
+		});
+	}
+	takeMeasured(tables) {
+		const { film } = this.store.state.placing;
+		this.store.dispatch({
+			type: "film",
+			film: withMarks(film, tables)
+		});
+		const said = say("from", {
+			texts: say("marks-of-scans"),
+			name: namesOf$1(tables)
+		});
+		this.tell({
+			kind: "info",
+			text: `${said} ${framesStep(this.store.state)}`.trimEnd()
+		});
 	}
 	clear() {
 		this.store.dispatch({
@@ -6431,10 +6551,11 @@ function placingFrom(given, placed, catalogue, readFile, open) {
 }
 function filmFrom(given) {
 	if (given === void 0) return NO_FILM;
-	const { camera, marks } = objectOf(given, "placing.film");
+	const { camera, marks, areScans } = objectOf(given, "placing.film");
 	return {
 		camera: orNull(camera, (text) => textFrom(text, "placing.film.camera")),
-		marks: listOf$1(marks, "placing.film.marks", textFrom)
+		marks: listOf$1(marks, "placing.film.marks", textFrom),
+		areScans: areScans === true
 	};
 }
 function textFrom(given, name) {
@@ -7230,7 +7351,7 @@ function pairRows({ images, connections }) {
 	const name = (row, side) => images[connections[row]?.images[side] ?? -1]?.name ?? "";
 	const matches = (row) => {
 		const connection = connections[row];
-		return connection?.outcome.kind === "connected" ? matchesOf(connection) : NaN;
+		return connection?.outcome.kind === "connected" ? matchesOf$1(connection) : NaN;
 	};
 	const outcome = (row) => connections[row] === void 0 ? "" : outcomeText(connections[row]);
 	return {
@@ -7737,12 +7858,184 @@ function strongestPair(state) {
 	if (shown === null || shown.view.partial) return null;
 	const there = new Set(imagesOfBlock(state).map(({ name }) => name));
 	const isThere = (image) => there.has(shown.view.images[image]?.name ?? "");
-	const [first, ...others] = shown.view.connections.filter((connection) => matchesOf(connection) > 0 && !connection.rejected && connection.images.every(isThere));
-	return first === void 0 ? null : others.reduce((best, other) => matchesOf(other) > matchesOf(best) ? other : best, first).images;
+	const [first, ...others] = shown.view.connections.filter((connection) => matchesOf$1(connection) > 0 && !connection.rejected && connection.images.every(isThere));
+	return first === void 0 ? null : others.reduce((best, other) => matchesOf$1(other) > matchesOf$1(best) ? other : best, first).images;
+}
+// www/block/state/pair-matches.ts
+var SAME_PLACE_PX = 1.5;
+var SAME_MEASUREMENT_PX = .01;
+var cellOf$1 = (x, y) => [Math.floor(x / SAME_PLACE_PX), Math.floor(y / SAME_PLACE_PX)];
+var sharedPoints = remember((view, left, right) => {
+	const rows = new Map([...right.points].map((point, row) => [point, row]));
+	const cells = new Map();
+	left.points.forEach((point, row) => {
+		const [other, source] = [rows.get(point), sourceOf$1(view, point)];
+		if (other === void 0 || source === null || "ground_control" in source) return;
+		const [x = NaN, y = NaN] = left.places.subarray(2 * row, 2 * row + 2);
+		const [xr = NaN, yr = NaN] = right.places.subarray(2 * other, 2 * other + 2);
+		const key = cellOf$1(x, y).join(" ");
+		cells.set(key, [...cells.get(key) ?? [], {
+			source,
+			at: [
+				x,
+				y,
+				xr,
+				yr
+			],
+			isUsed: left.parts[row] === 0 && right.parts[other] === 0
+		}]);
+	});
+	return cells;
+});
+function apart([xl, yl, xr, yr], { at }) {
+	return Math.max(Math.hypot(xl - at[0], yl - at[1]), Math.hypot(xr - at[2], yr - at[3]));
+}
+var AROUND = [
+	-1,
+	0,
+	1
+].flatMap((dy) => [
+	-1,
+	0,
+	1
+].map((dx) => [dx, dy]));
+function pointsAt(cells, place) {
+	const [column, row] = cellOf$1(place[0], place[1]);
+	return AROUND.flatMap(([dx, dy]) => cells.get(`${String(column + dx)} ${String(row + dy)}`) ?? []).filter((point) => apart(place, point) <= SAME_PLACE_PX).sort((a, b) => apart(place, a) - apart(place, b));
+}
+function pointsOfRejected(cells, { rejected, used }) {
+	const nearest = new Map();
+	for (const place of rejected) for (const point of pointsAt(cells, place)) if (point.isUsed) nearest.set(point, Math.min(nearest.get(point) ?? Infinity, apart(place, point)));
+	for (let row = 0; nearest.size > 0 && 5 * row < used.length; row++) {
+		const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = used.subarray(5 * row, 5 * row + 4);
+		const place = [
+			xl,
+			yl,
+			xr,
+			yr
+		];
+		for (const point of pointsAt(cells, place)) if (apart(place, point) < (nearest.get(point) ?? -Infinity)) nearest.delete(point);
+	}
+	return new Set(nearest.keys());
+}
+function additionOf(cells, a, b, { at, of }) {
+	const there = pointsAt(cells, at);
+	if (there.some((point) => apart(at, point) <= SAME_MEASUREMENT_PX)) return [];
+	const places = [{
+		image: a,
+		x_px: at[0],
+		y_px: at[1]
+	}, {
+		image: b,
+		x_px: at[2],
+		y_px: at[3]
+	}];
+	const moved = of === null ? void 0 : pointsAt(cells, of).find(({ isUsed }) => isUsed);
+	if (moved !== void 0) return places.map((place) => ({
+		kind: "measure",
+		point: moved.source,
+		...place
+	}));
+	return there.length > 0 ? [] : [{
+		kind: "add_point",
+		observations: places
+	}];
+}
+var forBlock = remember((view, a, b, left, right, matches) => {
+	const cells = sharedPoints(view, left, right);
+	const refused = pointsOfRejected(cells, matches);
+	const observations = [...refused].flatMap(({ source }) => [a, b].map((image) => ({
+		point: source,
+		image
+	})));
+	let [joined, without] = [0, 0];
+	for (const place of matches.rejected) {
+		const points = pointsAt(cells, place);
+		if (points.some((point) => refused.has(point))) joined += 1;
+		else if (points.every(({ isUsed }) => isUsed)) without += 1;
+	}
+	const added = matches.measured.map((one) => additionOf(cells, a, b, one)).filter((edits) => edits.length > 0);
+	return {
+		rejection: observations.length === 0 ? [] : [{
+			kind: "reject_observations",
+			observations
+		}],
+		matches: joined,
+		without,
+		addition: added.flat(),
+		measured: added.length
+	};
+});
+// www/block/panel/from-pair.ts
+var NOTHING$1 = {
+	rejection: [],
+	matches: 0,
+	without: 0,
+	addition: [],
+	measured: 0
+};
+function makeFromPair(store, facts, pair) {
+	let given = null;
+	const give = (step) => {
+		if (store.state.draft !== null) store.dispatch({
+			type: "accept",
+			leaves: true
+		});
+		given = {
+			step,
+			to: store.state.shown?.found ?? null
+		};
+		store.dispatch({
+			type: "edit",
+			edits: step
+		});
+	};
+	const now = () => ofPair(store, facts, pair);
+	const reject = button("", "matches-to-block", () => give(now().rejection), say("rejects-their-observations"));
+	const add = button("", "measured-to-block", () => give(now().addition), say("they-become-tie-points"));
+	const draw = (isOfBlock) => {
+		const { matches, without, measured } = isOfBlock ? now() : NOTHING$1;
+		reject.textContent = say("reject-matches-in-the-block", { matches });
+		add.textContent = say("measured-matches-into-the-block", { matches: measured });
+		reject.hidden = matches === 0;
+		add.hidden = measured === 0;
+		reject.disabled = add.disabled = isBusy(store.state);
+		const rejected = isOfBlock ? pair.matches()?.rejected.length ?? 0 : 0;
+		const lacking = without === 0 ? "" : say("rejected-without-tie-point", {
+			without,
+			rejected
+		});
+		return [isOfBlock ? saidOf$1(store.state, given) : "", lacking].filter((part) => part !== "").join(" ");
+	};
+	return {
+		buttons: [reject, add],
+		draw
+	};
+}
+function ofPair(store, facts, pair) {
+	const { shown, adjusting } = store.state;
+	const matches = pair.matches();
+	if (shown === null || matches === null || adjusting || !isEditable(store.state)) return NOTHING$1;
+	const [a = -1, b = -1] = pair.names().map((name) => shown.view.images.findIndex((image) => image.name === name));
+	if (a < 0 || b < 0 || a === b) return NOTHING$1;
+	const [left, right] = [facts.points(a), facts.points(b)];
+	return left === null || right === null ? NOTHING$1 : forBlock(shown.view, a, b, left, right, matches);
+}
+function saidOf$1(state, given) {
+	const { history, shown, before, adjusting, notice } = state;
+	if (given === null || shown === null || shown.found !== given.to) return "";
+	if (!history.edits.includes(given.step)) return notice?.kind === "problem" ? notice.text : "";
+	if (history.edits[history.done - 1] !== given.step) return "";
+	if (adjusting || before === null) return say("adjusting-the-block");
+	return say("edit-and-figures", {
+		edit: nameOfStep(given.step, namesIn(state)),
+		figures: comparedText(before, figuresOf$3(shown.view))
+	});
 }
 // www/block/panel/back.ts
-function mountBack(store, modes, pair, takeMasks) {
-	const text = h("span", { testid: "of-block" });
+function mountBack(store, facts, modes, pair, takeMasks) {
+	const [ofPair, ofMatches] = [h("span"), h("span", { role: "status" })];
+	const text = h("span", { testid: "of-block" }, ofPair, " ", ofMatches);
 	const back = button(say("back-to-the-block"), "back-to-block", () => {
 		modes.dispatch("block");
 		document.getElementById("block-view")?.focus({ preventScroll: true });
@@ -7752,16 +8045,25 @@ function mountBack(store, modes, pair, takeMasks) {
 		if (images !== null) pair.open(images);
 	});
 	const masks = button(say("use-masks-in-the-block"), "masks-to-block", () => takeMasks(othersOf(store, pair)), say("what-they-mask-holds-no"));
-	const line = h("div", { class: "of-block" }, back, text, masks, open);
+	const matches = makeFromPair(store, facts, pair);
+	const line = h("div", { class: "of-block" }, back, text, ...matches.buttons, masks, open);
 	const draw = () => {
+		const held = document.activeElement;
 		const offered = pair.names().every((name) => name === null) ? strongestPair(store.state) : null;
 		const said = offered === null ? saidOf(store) : say("pairs-of-the-block-open-here", { names: namesOf(store, offered) });
 		line.hidden = said === null || modes.state.mode !== "pair";
-		fill(text, said ?? "");
+		const saidOfMatches = matches.draw(!line.hidden && offered === null);
+		fill(ofPair, said ?? "");
+		if (ofMatches.textContent !== saidOfMatches) fill(ofMatches, saidOfMatches);
 		back.hidden = offered !== null;
 		open.hidden = offered === null;
 		masks.hidden = offered !== null || othersOf(store, pair).length === 0;
 		open.disabled = masks.disabled = isBusy(store.state);
+		if (line.contains(held)) passFocus(held, [
+			...matches.buttons,
+			masks,
+			back
+		]);
 	};
 	store.watch([
 		"opened",
@@ -7770,10 +8072,14 @@ function mountBack(store, modes, pair, takeMasks) {
 		"options",
 		"running",
 		"notice",
-		"placing"
+		"placing",
+		"history",
+		"adjusting"
 	], draw);
 	modes.watch(["mode"], draw);
 	pair.watch(draw);
+	pair.watchMatches(draw);
+	facts.watch(draw);
 	return line;
 }
 function othersOf({ state: { opened, options } }, pair) {
@@ -8411,7 +8717,7 @@ function likeliest({ images, connections }, near) {
 	const matches = new Map([[near, Infinity]]);
 	for (const connection of connections) {
 		const [a, b] = connection.images;
-		if (a === near || b === near) matches.set(a === near ? b : a, matchesOf(connection));
+		if (a === near || b === near) matches.set(a === near ? b : a, matchesOf$1(connection));
 	}
 	return all.sort((a, b) => (matches.get(b) ?? 0) - (matches.get(a) ?? 0) || a - b);
 }
@@ -9162,7 +9468,7 @@ var STYLES$1 = [
 	REJECTED_BY_HAND,
 	MEASURED
 ];
-var BY_HAND$2 = 3;
+var BY_HAND$1 = 3;
 var drawnOf = new WeakMap();
 function drawn(of) {
 	const known = drawnOf.get(of);
@@ -9190,7 +9496,7 @@ function codesOf$1({ points, parts }, { byHand, keeps }) {
 	return parts.map((part, i) => {
 		const point = points[i] ?? -1;
 		if (!keeps(point)) return NOT_DRAWN$1;
-		return part === 0 && byHand.has(point) ? BY_HAND$2 : part;
+		return part === 0 && byHand.has(point) ? BY_HAND$1 : part;
 	});
 }
 function drawObservations(context, of, marked, t, clip) {
@@ -9911,12 +10217,12 @@ function pointsOnGround(places, codes) {
 		vectors: new Float64Array()
 	};
 }
-var BY_HAND$1 = USES$1.length;
+var BY_HAND = USES$1.length;
 function codeOfUse(use, byHand) {
-	return use === "used" && byHand ? BY_HAND$1 : USES$1.indexOf(use);
+	return use === "used" && byHand ? BY_HAND : USES$1.indexOf(use);
 }
 function codesOf(uses, byHand) {
-	return uses.map((use, i) => use === 0 && byHand[i] === 1 ? BY_HAND$1 : use);
+	return uses.map((use, i) => use === 0 && byHand[i] === 1 ? BY_HAND : use);
 }
 function spreadOf(points) {
 	const box = [
@@ -9948,7 +10254,7 @@ function drawLinks(context, links, t, clip, uses) {
 	const half = markSize(links, t);
 	const styles = Float64Array.from(STYLES.flatMap(({ shape }, code) => [
 		shape,
-		code === BY_HAND$1 ? LARGEST$1 : half,
+		code === BY_HAND ? LARGEST$1 : half,
 		Math.min(1.6, .6 + .35 * half)
 	]));
 	draw_points(context, links.points, shownCodes(links, uses), styles, STYLES.map(({ colour }) => colour), drawView(t, clip));
@@ -10806,12 +11112,12 @@ var Matrix = class extends Chart {
 	paintCells(context, colours, view, t) {
 		const { scale: side } = t;
 		const count = view.images.length;
-		const most = view.connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 1);
+		const most = view.connections.reduce((high, connection) => Math.max(high, matchesOf$1(connection)), 1);
 		const keeps = keptBy("pairs", view, this.store.state.selection);
 		for (const [pair, connection] of view.connections.entries()) {
 			if (!keeps(pair)) continue;
 			const [a, b] = connection.images;
-			const matches = matchesOf(connection);
+			const matches = matchesOf$1(connection);
 			const tried = connection.outcome.kind === "connected";
 			const alpha = tried ? .15 + .85 * Math.sqrt(matches / most) : .6;
 			for (const [row, column] of [[a, b], [b, a]]) {
@@ -11427,7 +11733,7 @@ function linesOf(view) {
 		pair
 	})).filter(({ outcome }) => outcome.kind === "connected");
 	const joined = connected.some(({ shared }) => shared > 0);
-	const weight = (connection) => joined ? connection.shared : matchesOf(connection);
+	const weight = (connection) => joined ? connection.shared : matchesOf$1(connection);
 	const most = connected.reduce((high, connection) => Math.max(high, weight(connection)), 1);
 	const made = connected.map((connection) => ({
 		...connection,
@@ -13771,7 +14077,7 @@ function invited$1(store, { open, sample }) {
 }
 // www/block/panel/film-settings.ts
 var LISTED$1 = 3;
-function filmFields(store, files) {
+function filmFields(store, files, measureMarks) {
 	const { film: taken } = files;
 	const [camera, cameraInput] = fileButton(`${say("film-camera")} …`, {
 		testid: "block-film-camera",
@@ -13786,6 +14092,7 @@ function filmFields(store, files) {
 		multiple: true,
 		accept: ".csv,.txt,text/*"
 	}, (given) => void taken.takeMarks(given));
+	const measure = button(`${say("measure-marks")} …`, "block-film-measure", measureMarks, say("measure-marks-help"));
 	const remove = button(say("remove"), "block-film-remove", () => taken.clear());
 	remove.setAttribute("aria-label", say("remove-2", { title: say("scanned-film") }));
 	const frames = button(say("make-frames"), "block-film-frames", () => void files.actions.frames());
@@ -13796,6 +14103,10 @@ function filmFields(store, files) {
 	const marksNames = h("p", {
 		class: "note",
 		testid: "block-film-marks-names"
+	});
+	const counted = h("p", {
+		class: "note",
+		testid: "block-film-counted"
 	});
 	const problem = h("p", {
 		class: "field-problem",
@@ -13813,7 +14124,11 @@ function filmFields(store, files) {
 			marks,
 			remove
 		]) press.disabled = busy;
-		remove.hidden = film.camera === null && film.marks.length === 0;
+		measure.disabled = busy || possibleScans(images).length === 0;
+		remove.hidden = film.camera === null && film.marks.length === 0 && !film.areScans;
+		const count = countedScans(film, images);
+		counted.hidden = count.scans === 0;
+		fill(counted, say("marks-of-some-scans", count));
 		const scans = framesOf(film, images);
 		frames.disabled = busy || film.camera === null || scans.length === 0 || scans.some(({ id }) => placed.has(id));
 		fill(cameraName, film.camera?.name ?? say("none-film-camera", { example: "{\"focal_mm\": 152.82, \"principal_point_mm\": [0.004, -0.012]}" }));
@@ -13827,12 +14142,12 @@ function filmFields(store, files) {
 		const text = lone !== void 0 ? say("marks-of-no-image", { name: lone }) : film.marks.length > 0 && film.camera === null ? say("marks-need-their-camera") : "";
 		if (problem.textContent !== text) problem.textContent = text;
 	});
-	return h("fieldset", { class: "group" }, h("legend", {}, say("scanned-film")), h("div", { class: "control" }, h("div", { class: "buttons" }, camera, marks, remove), cameraName, marksNames, problem, cameraInput, marksInput), h("div", { class: "control" }, frames, h("p", { class: "help" }, say("make-frames-help"))));
+	return h("fieldset", { class: "group" }, h("legend", {}, say("scanned-film")), h("div", { class: "control" }, h("div", { class: "buttons" }, camera, marks, measure, remove), cameraName, marksNames, counted, problem, cameraInput, marksInput), h("div", { class: "control" }, frames, h("p", { class: "help" }, say("make-frames-help"))));
 }
 // www/block/panel/placing-settings.ts
 var ORTHOPHOTO = say("none-a-geotiff-in-a");
 var HEIGHTS = say("none-the-ground-is-level");
-function mountPlacingSettings(host, store, files) {
+function mountPlacingSettings(host, store, files, measureMarks) {
 	const [orthophoto, orthophotoInput] = fileButton(say("orthophoto-2"), {
 		testid: "block-orthophoto",
 		label: say("file-orthophoto"),
@@ -13891,7 +14206,7 @@ function mountPlacingSettings(host, store, files) {
 				parameter
 			})
 		});
-		fill(host, given, filmFields(store, files), ...sections.elements);
+		fill(host, given, filmFields(store, files, measureMarks), ...sections.elements);
 		store.watch((s) => [s.placing.options], ([options]) => {
 			if (options !== null) sections.show({ placing: options });
 		});
@@ -15323,7 +15638,7 @@ function partialFacts(view) {
 		{
 			name: say("matches-2"),
 			testid: "block-matches",
-			value: count(connected.reduce((sum, connection) => sum + matchesOf(connection), 0)),
+			value: count(connected.reduce((sum, connection) => sum + matchesOf$1(connection), 0)),
 			help: say("verified-matches-of-all-connected")
 		}
 	];
@@ -15355,7 +15670,7 @@ function checkFacts({ points, rmse_m: rmse, mean_m: mean, ratio }) {
 }
 function factsOf(view) {
 	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected");
-	const matches = connected.reduce((sum, connection) => sum + matchesOf(connection), 0);
+	const matches = connected.reduce((sum, connection) => sum + matchesOf$1(connection), 0);
 	const { tie, surveyed } = countedPoints(view);
 	return [
 		{
@@ -15549,6 +15864,57 @@ function cameraTable({ cameras, found }) {
 		class: "tight",
 		testid: "cameras"
 	}, head, h("tbody", {}, ...cameras.map((camera, i) => row(`${String(i + 1)}: ${camera.label.replace(/(\d) x (?=\d)/gu, "$1 × ")}`, number(count(camera.images)), number(given(camera)), number(camera.calibrated === null ? "–" : `${fixed(camera.calibrated.focal_px, 1)}${camera.focalErrorPx === null ? "" : ` ± ${fixed(camera.focalErrorPx, 1)}`}`))))));
+}
+// www/block/panel/scans-line.ts
+function mountScansLine(store, modes, pair, block) {
+	const text = h("span", { testid: "of-scans" });
+	const back = button(say("back-to-the-block"), "scans-to-block", () => {
+		modes.dispatch("block");
+		block.back();
+		document.getElementById("block-view")?.focus({ preventScroll: true });
+	});
+	const measure = [0, 1].map((place) => button("", `scan-marks-${String(place)}`, () => {
+		const scan = pair.shown()[place];
+		if (scan !== void 0) pair.measure(scan.image);
+	}));
+	const take = button(say("use-marks-in-the-block"), "marks-to-block", () => block.take(toTake()), say("the-tables-of-marks-become"));
+	const next = button(say("next-scans"), "next-scans", () => void pair.open(others()), say("next-scans-help"));
+	const line = h("div", { class: "of-block of-scans" });
+	const toTake = () => tablesToTake(store.state.placing.film, pair.shown());
+	const others = () => {
+		const names = pair.shown().map(({ image }) => image);
+		return nextScans(store.state.placing.film, store.state.files, names);
+	};
+	const draw = () => {
+		const shown = pair.shown();
+		line.hidden = shown.length === 0 || modes.state.mode !== "pair";
+		if (line.hidden) return;
+		const held = document.activeElement;
+		const { film } = store.state.placing;
+		fill(text, [say("marks-of-some-scans", countedScans(film, store.state.files)), lackOf(film, shown)].filter((said) => said !== "").join(" "));
+		const presses = measure.filter((_, place) => shown[place] !== void 0);
+		for (const [place, press] of presses.entries()) fill(press, say("marks-of-this-scan", { name: shown[place]?.image ?? "" }));
+		take.hidden = toTake().length === 0;
+		next.hidden = others().length === 0;
+		back.hidden = store.state.opened !== null;
+		for (const press of [
+			...presses,
+			take,
+			next
+		]) press.disabled = isBusy(store.state);
+		arrange(line, back, text, ...presses, take, next);
+		passFocus(held, [next, back]);
+	};
+	store.watch([
+		"placing",
+		"files",
+		"opened",
+		"running",
+		"notice"
+	], draw);
+	modes.watch(["mode"], draw);
+	pair.watch(draw);
+	return line;
 }
 // www/block/state/own-settings.ts
 var USE_GNSS = {
@@ -16213,11 +16579,12 @@ var PLACED_SAMPLE = {
 	pixel_mm: .045
 };
 var PLACED_GSD_M = .5;
-async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAside, left, stays }) {
+async function mountBlock(catalogue, { modes, openPair, pair, scans: scansOf, openProject, putAside, left, stays }) {
 	const store = new Holder(BLOCK_INITIAL, reduceBlock);
 	const engine = new BlockEngine(store);
 	const placing = new PlacingEngine(store);
 	const onGround = new BlockPlacing(store, engine, placing);
+	const facts = new Facts(store, engine);
 	const runs = new BlockRuns(store, engine, placing, onGround, new GroundFiles(store, placing));
 	const leave = () => {
 		placing.cancel();
@@ -16240,6 +16607,12 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	const beside = {
 		...pair,
 		open: (images) => openPair(store, images)
+	};
+	const scans = scansOf(store);
+	const toMarks = () => {
+		files.film.areScans();
+		const { film } = store.state.placing;
+		scans.open(nextScans(film, store.state.files));
 	};
 	const actions = h("div", {
 		class: "actions",
@@ -16271,7 +16644,14 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	byId("page-actions").before(actions, exports);
 	byId("menu").before(drawers);
 	document.querySelector("body > main")?.after(main);
-	document.querySelector("body > main")?.before(mountBack(store, modes, beside, (masks) => files.beside.takePairMasks(masks)));
+	document.querySelector("body > main")?.before(mountBack(store, facts, modes, beside, (masks) => files.beside.takePairMasks(masks)));
+	document.querySelector("body > main")?.before(mountScansLine(store, modes, scans, {
+		take: (tables) => files.film.takeMeasured(tables),
+		back: () => {
+			setDrawer("settings", true);
+			showTab("tab-block-orthophoto");
+		}
+	}));
 	showIn(modes, "block", [
 		actions,
 		exports,
@@ -16313,7 +16693,7 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 	await breath();
 	mountSettings(settings.panels[0], store, files, opener);
 	await breath();
-	const pickers = mountPlacingSettings(settings.panels[1], store, files);
+	const pickers = mountPlacingSettings(settings.panels[1], store, files, toMarks);
 	mountFlight(settings.panels[2], store, files);
 	mountProgress(results.panels[0], store);
 	mountResults(results.panels[0], store, () => void files.actions.takeOff());
@@ -16326,7 +16706,6 @@ async function mountBlock(catalogue, { modes, openPair, pair, openProject, putAs
 		...catalogue.flight,
 		...SAMPLE
 	});
-	const facts = new Facts(store, engine);
 	let measures = null;
 	const images = imagesView(engine, placing, facts, pick, (made) => {
 		measures = made;
@@ -16433,16 +16812,24 @@ function cameraOfImages({ images, cameras }, a, b) {
 }
 // www/block/pair.ts
 var nextId = -1;
-var BY_HAND = [
+var GIVEN_PARTS = [
 	"camera",
 	"offset",
 	"photos",
 	"masks"
 ];
 var given = null;
+function isAsGiven({ camera, offset, photos, masks }) {
+	given = {
+		camera,
+		offset,
+		photos,
+		masks
+	};
+}
 function isOwn(state) {
 	const before = given;
-	if (before !== null && BY_HAND.every((part) => state[part] === before[part])) return false;
+	if (before !== null && GIVEN_PARTS.every((part) => state[part] === before[part])) return false;
 	const { photos, masks, truth } = state;
 	return isWorthKeeping(state) || SIDES.some((side) => masks[side] !== null || truth === null && hasData(photos[side]));
 }
@@ -16473,7 +16860,7 @@ async function leave(block, state, putAside, here) {
 function openPair(block, modes, pair, { putAside, stays }, images) {
 	return doHere(stays, (here) => opened(block, modes, pair, putAside, images, here));
 }
-async function opened(block, modes, { store, engine }, putAside, [a, b], here) {
+async function opened(block, modes, pair, putAside, [a, b], here) {
 	const { shown } = block.state;
 	if (shown === null) return;
 	const [left, right] = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
@@ -16481,44 +16868,54 @@ async function opened(block, modes, { store, engine }, putAside, [a, b], here) {
 		tell(block, modes, say("the-files-of-these-images"));
 		return;
 	}
+	await showFiles(block, modes, pair, putAside, {
+		left,
+		right,
+		camera: () => cameraOfImages(shown.view, a, b),
+		opened: [a, b]
+	}, here);
+}
+async function showFiles(block, modes, { store, engine }, putAside, { left, right, camera: cameraOf, marks, opened: ofBlock }, here) {
 	const images = {
 		left: imageOf(left),
-		right: imageOf(right)
+		right: right && imageOf(right)
 	};
 	let camera;
 	let masks;
 	try {
-		camera = cameraOfImages(shown.view, a, b);
-		await Promise.all([engine.open("left", images.left), engine.open("right", images.right)]);
+		camera = cameraOf();
+		await Promise.all(SIDES.map((side) => images[side] && engine.open(side, images[side])));
 		masks = {
 			left: await maskFor(engine, block, left),
-			right: await maskFor(engine, block, right)
+			right: right && await maskFor(engine, block, right)
 		};
 		here();
 	} catch (error) {
 		here();
 		tell(block, modes, say("the-pair-cannot-be-shown", { error: messageOf(error) }));
-		return;
+		return false;
 	}
 	const stays = isOwn(store.state) ? await leave(block, store.state, putAside, here) : "";
-	if (stays === null) return;
-	readyFor(store, block, camera);
+	if (stays === null) return false;
 	store.dispatch({
 		type: "images",
 		images
 	});
-	for (const side of SIDES) if (masks[side] !== null) store.dispatch({
-		type: "mask",
-		side,
-		mask: masks[side]
-	});
-	const { state } = store;
-	given = {
-		camera: state.camera,
-		offset: state.offset,
-		photos: state.photos,
-		masks: state.masks
-	};
+	readyFor(store, block, camera);
+	for (const side of SIDES) {
+		if (masks[side] !== null) store.dispatch({
+			type: "mask",
+			side,
+			mask: masks[side]
+		});
+		if (marks !== void 0 && images[side] !== null) store.dispatch({
+			type: "photo",
+			side,
+			photo: { fiducials: marks(side) }
+		});
+	}
+	if (marks !== void 0) store.dispatch({ type: "wait" });
+	isAsGiven(store.state);
 	if (stays !== "") store.dispatch({
 		type: "notice",
 		notice: {
@@ -16528,9 +16925,10 @@ async function opened(block, modes, { store, engine }, putAside, [a, b], here) {
 	});
 	block.dispatch({
 		type: "openedPair",
-		images: [a, b]
+		images: ofBlock
 	});
 	modes.dispatch("pair");
+	return true;
 }
 function readyFor(store, block, camera) {
 	const { settings } = store.state;
@@ -16595,6 +16993,29 @@ function masksOf({ images, masks }) {
 		}];
 	});
 }
+function matchesOf(state) {
+	const standing = standingOf$1(state.history.edits, state.history.done);
+	if (isNothing(standing)) return null;
+	const { edited } = shownPair(state);
+	return edited === null ? null : byHandOf(edited, standing);
+}
+var byHandOf = remember((edited, standing) => {
+	const rejected = [];
+	edited.match.rules.forEach((rule, left) => {
+		if (rule !== BY_HAND$3) return;
+		const target = targetOfLeft(edited, left);
+		rejected.push(target === null || typeof target === "number" ? placeOfLeft(edited, left) : target);
+	});
+	const measured = [...standing.placed].filter(([key]) => !standing.rejected.has(key));
+	return {
+		rejected,
+		used: edited.match.matches,
+		measured: measured.map(([, { target, at }]) => ({
+			at,
+			of: typeof target === "number" ? null : target
+		}))
+	};
+});
 function fileOf(block, name) {
 	const { shown, files } = block.state;
 	return [...shown?.files ?? [], ...files].find((file) => file.name === name);
@@ -16619,4 +17040,89 @@ function tell(block, modes, text) {
 		}
 	});
 }
-export { blockCatalogue, masksOf, mountBlock, openPair };
+// www/block/scans.ts
+function scansBeside(block, modes, pair, projects) {
+	const { store } = pair;
+	return {
+		shown: () => SIDES.flatMap((side) => scanOn(block, store.state, side) ?? []),
+		watch: (changed) => store.watch((s) => [
+			s.images,
+			s.photos,
+			s.results.openLeft,
+			s.results.openRight
+		], changed),
+		open: (scans) => openScans(block, modes, pair, projects, scans),
+		measure: (image) => {
+			const side = SIDES.find((one) => store.state.images[one]?.name === image);
+			if (side !== void 0) measure(pair, side);
+		}
+	};
+}
+function scanOn({ state: { placing, files } }, state, side) {
+	const image = state.images[side];
+	const scan = scansOf(placing.film, files).find(({ name }) => name === image?.name);
+	if (scan === void 0 || image?.source.kind !== "file" || image.source.file.size !== scan.file.size) return null;
+	const photo = state.photos[side];
+	const marks = wholeMarks(photo).map((mark) => {
+		const [col, row] = placeOfMark(photo, mark) ?? [NaN, NaN];
+		return {
+			...mark,
+			col,
+			row
+		};
+	});
+	const stage = side === "left" ? "openLeft" : "openRight";
+	const info = isCurrent(state, stage) ? state.results[stage]?.value.info : void 0;
+	const withoutMm = photo.fiducials.filter((mark) => isMeasured(mark) && !isWhole(mark)).length;
+	return {
+		image: scan.name,
+		marks,
+		withoutMm,
+		size: info === void 0 ? null : [info.width, info.height]
+	};
+}
+function openScans(block, modes, pair, { putAside, stays }, given) {
+	return doHere(stays, async (here) => {
+		const [left, right] = given;
+		if (left === void 0) return;
+		const { film } = block.state.placing;
+		if (hasNothingElse(block, pair.store.state)) isAsGiven(pair.store.state);
+		const scans = {
+			left,
+			right: right ?? null
+		};
+		if (await showFiles(block, modes, pair, putAside, {
+			...scans,
+			camera: () => film.camera === null ? null : parse_camera(film.camera.text),
+			marks: (side) => marksToMeasure(film, scans[side]?.name ?? ""),
+			opened: null
+		}, here)) measure(pair, "left");
+	});
+}
+function hasNothingElse(block, state) {
+	const { placing, options } = block.state;
+	const isThere = (side) => {
+		if (state.images[side] === null) return true;
+		const scan = scanOn(block, state, side);
+		return scan !== null && isInBlock(placing.film, scan);
+	};
+	const hasMasks = SIDES.every((side) => state.masks[side] === null || state.masks[side].source.kind === "file");
+	return SIDES.every(isThere) && hasMasks && otherMasks(options.masks, masksOf(state)).length === 0;
+}
+function measure({ store, measureMarks }, side) {
+	const { photos, tool, mark } = store.state;
+	if (tool === "fiducials" && mark?.side === side) return;
+	const { fiducials } = photos[side];
+	const taken = fiducials.length > 0 ? null : withCoordinatesOf([], photos[otherSide(side)].fiducials);
+	if (taken !== null) store.dispatch({
+		type: "photo",
+		side,
+		photo: { fiducials: taken }
+	});
+	measureMarks(side);
+	if (store.state.photos[side].fiducials.length > 0) return;
+	setDrawer("settings", true);
+	showTab("tab-camera");
+	uncoverPictures();
+}
+export { blockCatalogue, masksOf, matchesOf, mountBlock, openPair, scansBeside };

@@ -882,6 +882,11 @@ function one_image(matches, left_width, left_height, right_width, right_height) 
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
+function orient_fiducials(fiducials, model) {
+	const ret = wasm.orient_fiducials(fiducials, model);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
 function pair_cameras(given, left, right) {
 	const ret = wasm.pair_cameras(given, left, right);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
@@ -2193,7 +2198,7 @@ function cameraFrom(camera, origin) {
 var NAME$3 = "tiepoint-cameras";
 var MOST = 50;
 var all = null;
-function read() {
+function read$1() {
 	try {
 		const kept = JSON.parse(keptChoice(NAME$3) ?? "[]");
 		return Array.isArray(kept) ? kept.filter(isCalibration) : [];
@@ -2213,7 +2218,7 @@ function isCalibration(value) {
 	}
 }
 function remembered$1() {
-	all ??= read();
+	all ??= read$1();
 	return all;
 }
 function keep(kept) {
@@ -5948,6 +5953,8 @@ var TYPED_PARTS = [
 ];
 var UNEDITED = {
 	history: NO_HISTORY,
+	maskSteps: NO_HISTORY,
+	markSteps: NO_HISTORY,
 	chosen: [],
 	filter: ALL_MATCHES,
 	before: null,
@@ -5974,6 +5981,10 @@ var INITIAL = {
 		}
 	},
 	masks: {
+		left: null,
+		right: null
+	},
+	givenMasks: {
 		left: null,
 		right: null
 	},
@@ -7027,6 +7038,7 @@ function withProject(state, { project, images, overviews, masks }) {
 		offset: input.offset ?? null,
 		images,
 		masks,
+		givenMasks: masks,
 		truth: truth === null ? null : {
 			leftId: images.left.id,
 			rightId: images.right.id,
@@ -7254,16 +7266,10 @@ function resultsOf(state) {
 function areSame(kept, now) {
 	return now.every((value, i) => value === OF_EDITS || value === kept[i]);
 }
-function withKept(state, { typed, display, flight, paused, images, masks, truth, history, draft, shelf, opened, result }) {
+function withKept(state, { typed, history, draft, opened, result, ...others }) {
 	const given = {
 		...typed,
-		display,
-		flight,
-		paused,
-		images,
-		masks,
-		truth,
-		shelf,
+		...others,
 		...measuredOn(draft, INITIAL.tool)
 	};
 	const fresh = {
@@ -7272,10 +7278,10 @@ function withKept(state, { typed, display, flight, paused, images, masks, truth,
 		notice: state.notice,
 		...given
 	};
-	if (result === null) return {
+	if (result === null) return withOpened({
 		...fresh,
 		history
-	};
+	}, opened);
 	const made = withResults({
 		...fresh,
 		...result.typed
@@ -7293,6 +7299,21 @@ function withKept(state, { typed, display, flight, paused, images, masks, truth,
 		...typed,
 		history,
 		before
+	};
+}
+function withOpened(state, opened) {
+	const results = {};
+	for (const stage of ["openLeft", "openRight"]) {
+		const [key, value] = [wantedKeys(state)[stage], opened[stage]];
+		if (key !== null && value !== void 0) results[stage] = {
+			key,
+			value,
+			milliseconds: 0
+		};
+	}
+	return {
+		...state,
+		results
 	};
 }
 function bothSides(of) {
@@ -7447,10 +7468,16 @@ var BesideFiles = class {
 		try {
 			const fiducials = await this.engine.client("pair").call("parseFiducials", { text });
 			here();
+			const { fiducials: out } = this.store.state.photos[side];
 			this.store.dispatch({
-				type: "photo",
-				side,
-				photo: { fiducials }
+				type: "marked",
+				step: {
+					side,
+					deed: "given",
+					at: 0,
+					out,
+					put: fiducials
+				}
 			});
 			return info(say("fiducial-of-the-image-from", {
 				fiducials: fiducials.length,
@@ -8044,7 +8071,7 @@ var Engine = class {
 		window.clearTimeout(this.timer);
 		for (const stage of STAGE_NAMES) {
 			const { state } = this.store;
-			if (state.paused || state.running[stage] !== void 0) continue;
+			if (state.paused && !isOfMarks(state, stage) || state.running[stage] !== void 0) continue;
 			const key = wantedKeys(state)[stage];
 			if (key === null || state.results[stage]?.key === key || state.failures[stage]?.key === key) continue;
 			if (isReady(state, stage)) this.run(stage, key);
@@ -8107,6 +8134,9 @@ var Engine = class {
 		});
 	}
 };
+function isOfMarks({ tool }, stage) {
+	return tool === "fiducials" && (stage === "interiorLeft" || stage === "interiorRight");
+}
 function matchesOf(state) {
 	const pair = editedPair(state);
 	return pair === null ? null : {
@@ -8216,13 +8246,125 @@ function draftFrom(value, name) {
 		side
 	};
 }
+// www/pair/files/sources.ts
+var FILE = "pair/file/";
+function keptSource(source) {
+	return [FILE + nameOf$1(source), {
+		value: source,
+		bytes: bytesOf$1(source),
+		alone: true
+	}];
+}
+function sourceFrom(parts, file) {
+	const source = objectOf(parts.get(FILE + file), `file ${file}`);
+	if (source.kind === "file" && !(source.file instanceof Blob)) throw new Error(say("an-image-is-damaged"));
+	nameOf$1(source, file);
+	return source;
+}
+var keptMask = ({ name, source }) => ({
+	name,
+	file: nameOf$1(source)
+});
+function maskFrom(parts, { name, file }) {
+	return {
+		name,
+		source: sourceFrom(parts, file)
+	};
+}
+function bytesOf$1(source) {
+	switch (source.kind) {
+		case "file": return source.file.size;
+		case "grey": return source.grey.byteLength;
+		case "project": return 0;
+	}
+}
+// www/pair/files/steps.ts
+var OF_STEP = 80;
+var OF_CORNER = 24;
+var OF_MARK = 80;
+var keptSteps = new WeakMap();
+var keptMaskSteps = remember(({ edits, done }) => ({
+	edits: edits.map(keptMaskStep),
+	done
+}));
+function keptMaskStep(step) {
+	const kept = keptSteps.get(step) ?? ("given" in step ? {
+		side: step.side,
+		given: orNull(step.given, keptMask)
+	} : step);
+	keptSteps.set(step, kept);
+	return kept;
+}
+function maskStepsFrom(parts, { edits, done }) {
+	const own = (kept) => {
+		const step = "given" in kept ? {
+			side: kept.side,
+			given: orNull(kept.given, (mask) => maskFrom(parts, mask))
+		} : kept;
+		keptSteps.set(step, kept);
+		return step;
+	};
+	return {
+		edits: edits.map(own),
+		done
+	};
+}
+function bytesOfMaskStep(step) {
+	return OF_STEP + ("given" in step ? 0 : OF_CORNER * step.corners.length);
+}
+function bytesOfMarkStep({ out, put }) {
+	return OF_STEP + OF_MARK * (out.length + put.length);
+}
+function maskStepFrom(value, name) {
+	const { side, given, corners, masked } = objectOf(value, name);
+	const own = { side: sideFrom(side, `${name}.side`) };
+	if (given !== void 0) return {
+		...own,
+		given: orNull(given, (mask) => keptMaskFrom(mask, `${name}.given`))
+	};
+	return {
+		...own,
+		corners: listOf(corners, `${name}.corners`, positionFrom),
+		masked: likeOf(masked, true, `${name}.masked`)
+	};
+}
+function markStepFrom(value, name) {
+	const { side, deed, at, out, put } = objectOf(value, name);
+	return {
+		side: sideFrom(side, `${name}.side`),
+		deed: likeOf(deed, "", `${name}.deed`),
+		at: likeOf(at, 0, `${name}.at`),
+		out: listOf(out, `${name}.out`, markFrom),
+		put: listOf(put, `${name}.put`, markFrom)
+	};
+}
+function markFrom(value, name) {
+	return objectOf(value, name);
+}
+function keptMaskFrom(value, name) {
+	const { name: called, file } = objectOf(value, name);
+	return {
+		name: likeOf(called, "", `${name}.name`),
+		file: likeOf(file, "", `${name}.file`)
+	};
+}
+function sideFrom(value, name) {
+	if (value !== "left" && value !== "right") throw new Error(say("the-field-is-damaged", { name }));
+	return value;
+}
 // www/pair/files/journal.ts
 var DRAFT = "pair/draft";
 var SHELF = "pair/shelf";
 var Journal = class {
 	edits = new Journal$1("pair/edits", editFrom, bytesOf$2);
-	parts({ history, draft, shelf }) {
-		const parts = this.edits.parts(history);
+	masks = new Journal$1("pair/masks", maskStepFrom, bytesOfMaskStep);
+	marks = new Journal$1("pair/marks", markStepFrom, bytesOfMarkStep);
+	parts({ history, maskSteps, markSteps, draft, shelf }) {
+		const parts = new Map([
+			...this.edits.parts(history),
+			...this.masks.parts(keptMaskSteps(maskSteps)),
+			...this.marks.parts(markSteps)
+		]);
 		if (draft !== null) parts.set(DRAFT, {
 			value: draft,
 			bytes: 40
@@ -8236,6 +8378,8 @@ var Journal = class {
 	read(parts) {
 		return {
 			history: this.edits.read(parts),
+			maskSteps: maskStepsFrom(parts, this.masks.read(parts)),
+			markSteps: this.marks.read(parts),
 			draft: orNull(parts.get(DRAFT), (draft) => draftFrom(draft, "draft")),
 			shelf: shelfFrom(parts.get(SHELF))
 		};
@@ -8541,7 +8685,6 @@ async function sideOfFile({ images }, engine, file) {
 // www/pair/files/keep.ts
 var GIVEN$1 = "pair";
 var RESULT = "pair/result";
-var FILE = "pair/file/";
 var SMALL = 4096;
 var QUIET_MS = 300;
 var WATCHED = [
@@ -8557,6 +8700,8 @@ var WATCHED = [
 	"display",
 	"results",
 	"history",
+	"maskSteps",
+	"markSteps",
 	"draft",
 	"shelf",
 	"running",
@@ -8599,11 +8744,7 @@ var KeptPairs = class {
 			bytes: SMALL
 		});
 		for (const [part, kept] of this.journal.parts(state)) parts.set(part, kept);
-		for (const given of [...Object.values(state.images), ...Object.values(state.masks)]) if (given !== null) parts.set(FILE + nameOf$1(given.source), {
-			value: given.source,
-			bytes: bytesOf$1(given.source),
-			alone: true
-		});
+		for (const given of sourcesOf(state)) if (given !== null) parts.set(...keptSource(given.source));
 		const places = state.truth?.rightPosition;
 		if (places !== void 0) parts.set(FILE + nameOf$1(places), {
 			value: places,
@@ -8631,7 +8772,8 @@ var KeptPairs = class {
 			name,
 			source: sourceFrom(parts, file)
 		})));
-		const { history, draft, shelf } = this.journal.read(parts);
+		const byHand = this.journal.read(parts);
+		const givenMasks = bothSides((side) => orNull(kept.givenMasks[side], (mask) => maskFrom(parts, mask)));
 		const result = await this.result(parts, kept);
 		SIDES.forEach((side, place) => {
 			const image = images[side];
@@ -8657,10 +8799,9 @@ var KeptPairs = class {
 					paused,
 					images,
 					masks,
+					givenMasks,
 					truth,
-					history,
-					draft,
-					shelf,
+					...byHand,
 					opened,
 					result
 				}
@@ -8774,6 +8915,14 @@ var KeptPairs = class {
 		};
 	}
 };
+function sourcesOf({ images, masks, givenMasks, maskSteps }) {
+	const given = maskSteps.edits.map((step) => "given" in step ? step.given : null);
+	return [...[
+		images,
+		masks,
+		givenMasks
+	].flatMap((of) => Object.values(of)), ...given];
+}
 function filesOf$1({ images, masks }) {
 	const files = [
 		images.left,
@@ -8785,10 +8934,10 @@ function filesOf$1({ images, masks }) {
 }
 function givenOf(state) {
 	const typed = typedOf(state);
-	const { settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth } = state;
-	return typed === null ? null : given(settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth);
+	const { settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, givenMasks, truth } = state;
+	return typed === null ? null : given(settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, givenMasks, truth);
 }
-var given = remember((settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth) => {
+var given = remember((settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, givenMasks, truth) => {
 	if (settings === null) return null;
 	const file = ({ id, name, source }) => ({
 		id,
@@ -8808,6 +8957,7 @@ var given = remember((settings, camera, photos, fiducialModel, offset, display, 
 		paused,
 		images: bothSides((side) => orNull(images[side], file)),
 		masks: bothSides((side) => orNull(masks[side], file)),
+		givenMasks: bothSides((side) => orNull(givenMasks[side], keptMask)),
 		truth: orNull(truth, ({ rightPosition, ...known }) => ({
 			...known,
 			file: nameOf$1(rightPosition)
@@ -8816,25 +8966,23 @@ var given = remember((settings, camera, photos, fiducialModel, offset, display, 
 });
 function givenFrom(value, catalogue) {
 	const kept = objectOf(value, "pair");
-	const file = (one, name) => {
-		const { id, name: called, file: at } = objectOf(one, name);
-		return {
-			id: likeOf(id, 0, `${name}.id`),
-			name: likeOf(called, "", `${name}.name`),
-			file: likeOf(at, "", `${name}.file`)
-		};
-	};
-	const files = (name) => {
+	const file = (one, name) => ({
+		id: likeOf(objectOf(one, name).id, 0, `${name}.id`),
+		...keptMaskFrom(one, name)
+	});
+	const files = (name, read) => {
 		const sides = objectOf(kept[name], name);
-		return bothSides((side) => orNull(sides[side], (one) => file(one, `${name}.${side}`)));
+		return bothSides((side) => orNull(sides[side], (one) => read(one, `${name}.${side}`)));
 	};
+	const masks = files("masks", file);
 	return {
 		typed: typedFrom(kept.typed, catalogue, "typed"),
 		display: fitted$1(kept.display, INITIAL.display, "display"),
 		flight: orNull(kept.flight, (flight) => fitted$1(flight, catalogue.flights[0]?.flight ?? {}, "flight")) ?? null,
 		paused: kept.paused === true,
-		images: files("images"),
-		masks: files("masks"),
+		images: files("images", file),
+		masks,
+		givenMasks: kept.givenMasks === void 0 ? masks : files("givenMasks", keptMaskFrom),
 		truth: orNull(kept.truth, (truth) => objectOf(truth, "truth")) ?? null
 	};
 }
@@ -8851,7 +8999,7 @@ function typedFrom(value, { defaults }, name) {
 		const at = `${name}.photos.${side}`;
 		const { fiducials, origin } = objectOf(photos[side], at);
 		return {
-			fiducials: listOf(fiducials, `${at}.fiducials`, (mark, place) => objectOf(mark, place)),
+			fiducials: listOf(fiducials, `${at}.fiducials`, markFrom),
 			origin: orNull(origin, (given) => positionFrom(given, `${at}.origin`))
 		};
 	};
@@ -8863,12 +9011,6 @@ function typedFrom(value, { defaults }, name) {
 		fiducialModel,
 		offset
 	};
-}
-function sourceFrom(parts, file) {
-	const source = objectOf(parts.get(FILE + file), `file ${file}`);
-	if (source.kind === "file" && !(source.file instanceof Blob)) throw new Error(say("an-image-is-damaged"));
-	nameOf$1(source, file);
-	return source;
 }
 function truthFrom(truth, kept, parts, images) {
 	const { file, ...known } = truth;
@@ -8885,13 +9027,6 @@ function truthFrom(truth, kept, parts, images) {
 		leftId: idOf(truth.leftId),
 		rightId: idOf(truth.rightId)
 	};
-}
-function bytesOf$1(source) {
-	switch (source.kind) {
-		case "file": return source.file.size;
-		case "grey": return source.grey.byteLength;
-		case "project": return 0;
-	}
 }
 // www/pair/files/aside.ts
 var PairAside = class {
@@ -9044,7 +9179,7 @@ var ImageFiles = class {
 			left,
 			right,
 			third
-		].flatMap((image) => image === null ? [] : fileOf$1(image));
+		].flatMap((image) => image === null ? [] : fileOf$2(image));
 		if (another !== void 0 || files.length < 3 || await this.isSame(this.store.state.images[side], third)) return null;
 		const beside = otherSide(side);
 		if (await this.isSame(this.store.state.images[beside], third)) return info(say("is-the-other-image-already", {
@@ -9148,7 +9283,7 @@ var ImageFiles = class {
 		return images.right === null ? "right" : activeSide;
 	}
 };
-function fileOf$1({ name, source }) {
+function fileOf$2({ name, source }) {
 	if (source.kind !== "file") return [];
 	return [source.file instanceof File ? source.file : new File([source.file], name)];
 }
@@ -9399,26 +9534,26 @@ function takerOf(store, view, files) {
 	};
 }
 // www/pair/files/painted.ts
-async function paintedMask(engine, state, side, corners, masked) {
+async function paintedMask(engine, state, side, over, areas) {
 	try {
-		return await painted(engine, state, side, corners, masked);
+		return over === null || over instanceof Uint8Array || areas.length > 0 ? await painted(engine, state, side, over, areas) : await read(engine, over);
 	} catch (error) {
 		if (error instanceof Cancelled) return null;
 		throw error;
 	}
 }
-async function painted(engine, { images, masks }, side, corners, masked) {
+var worker = (engine) => engine.client("preview");
+async function painted(engine, { images }, side, over, areas) {
 	const image = images[side];
 	if (image === null) throw new Error(`there is no ${side} image`);
 	const { info } = await engine.open(side, image);
 	const { width, height } = info;
-	const outline = Float64Array.from(corners.flat());
-	const { png, ...mask } = await engine.client("preview").call("paintMask", {
-		grey: masks[side]?.grey ?? null,
+	const under = over === null || over instanceof Uint8Array ? over : fileOf$1(over);
+	const { png, ...mask } = await worker(engine).call("paintMask", {
+		over: under,
 		width,
 		height,
-		outline,
-		masked,
+		areas,
 		overlaySide: MASK_SIDE
 	});
 	const name = `${image.name.replace(/\.[^.]+$/u, "")}-mask-${side}.png`;
@@ -9431,6 +9566,22 @@ async function painted(engine, { images, masks }, side, corners, masked) {
 			file: new File([png], name, { type: "image/png" })
 		}
 	};
+}
+async function read(engine, file) {
+	const { name, source } = file;
+	return {
+		...await worker(engine).call("mask", {
+			file: fileOf$1(file),
+			overlaySide: MASK_SIDE
+		}),
+		id: freshId(),
+		name,
+		source
+	};
+}
+function fileOf$1({ source }) {
+	if (source.kind !== "file") throw new Error(say("an-image-is-damaged"));
+	return source.file;
 }
 // www/pair/state/labels.ts
 var EDITED = {
@@ -10741,6 +10892,57 @@ function comparedEdit(state) {
 		comes: now === null && whyNone(state) === null
 	};
 }
+// www/pair/state/mark-steps.ts
+function withMarkStep({ photos, markSteps }, step) {
+	return {
+		photos: stepped(photos, step),
+		markSteps: isFirst(markSteps, step) ? markSteps : recordedStep(markSteps, step)
+	};
+}
+function withMarkStepsDone({ photos, markSteps }, done) {
+	const next = wentTo(markSteps, done);
+	const { edits } = markSteps;
+	const again = edits.slice(markSteps.done, next.done);
+	return {
+		photos: [...edits.slice(next.done, markSteps.done).reverse().map((step) => ({
+			...step,
+			out: step.put,
+			put: step.out
+		})), ...again].reduce(stepped, photos),
+		markSteps: next
+	};
+}
+function stepped(photos, { side, at, out, put }) {
+	const { fiducials } = photos[side];
+	return {
+		...photos,
+		[side]: {
+			...photos[side],
+			fiducials: [
+				...fiducials.slice(0, at),
+				...put,
+				...fiducials.slice(at + out.length)
+			]
+		}
+	};
+}
+function isFirst({ edits }, { side, deed, out }) {
+	return deed === "given" && out.length === 0 && edits.every((step) => step.side !== side);
+}
+function recordedStep(history, step) {
+	const last = history.edits[history.done - 1];
+	return step.deed === "nudged" && last?.deed === "nudged" && last.side === step.side && last.at === step.at ? recorded(wentTo(history, history.done - 1), {
+		...step,
+		out: last.out
+	}) : recorded(history, step);
+}
+function nameOfMarkStep({ deed, at, side }, images) {
+	return say("step-of-mark", {
+		deed,
+		number: at + 1,
+		image: images[side]?.name ?? say(side === "left" ? "left-image" : "right-image")
+	});
+}
 // www/pair/panel/marking.ts
 function marksHaveKeys({ tool }) {
 	const held = document.activeElement?.closest("[data-testid=\"fiducials\"]") ?? null;
@@ -10771,7 +10973,9 @@ function mountMarking(bar, store, marking) {
 	store.watch((s) => [
 		s.tool,
 		s.mark,
-		s.photos
+		s.photos,
+		s.markSteps,
+		s.images
 	], () => {
 		const { state } = store;
 		const held = document.activeElement;
@@ -10779,7 +10983,7 @@ function mountMarking(bar, store, marking) {
 		former.disabled = state.mark === null || state.mark.index === 0;
 		next.disabled = markInHand(state) === void 0;
 		clear.disabled = placeInHand(state) === null;
-		showSteps(undo, redo, marking.history, ({ name }) => name);
+		showSteps(undo, redo, state.markSteps, (one) => nameOfMarkStep(one, state.images));
 		if (buttons.contains(held)) passFocus(held, [byId("view")]);
 		const now = textOf$1(state);
 		if (text.textContent !== now) text.textContent = now;
@@ -11085,13 +11289,11 @@ function photo(side, store, loadFile, marking, measure) {
 	const redo = button(say("redo-sign"), `redo-fiducials-${side}`, () => marking.step(1));
 	let shown = null;
 	const stage = side === "left" ? "interiorLeft" : "interiorRight";
-	store.watch((s) => [s.photos, s.images], ([, images]) => {
+	store.watch((s) => [s.markSteps, s.images], ([history, images]) => {
 		const held = [undo, redo].find((press) => press === document.activeElement) ?? null;
-		const { history } = marking;
-		const ofThis = (step) => step !== void 0 && step.imageId === images[side]?.id;
-		showSteps(undo, redo, history, ({ name: step }) => step);
-		undo.hidden = !ofThis(history.edits[history.done - 1]);
-		redo.hidden = !ofThis(history.edits[history.done]);
+		showSteps(undo, redo, history, (step) => nameOfMarkStep(step, images));
+		undo.hidden = history.edits[history.done - 1]?.side !== side;
+		redo.hidden = history.edits[history.done]?.side !== side;
 		passFocus(held, [
 			undo,
 			redo,
@@ -11695,8 +11897,65 @@ function chart(title, unit, data, testid) {
 	}));
 	return h("figure", { testid }, h("figcaption", {}, title, h("span", { class: "unit" }, `${suffix} · n = ${count(data.total)}`)), picture, h("div", { class: "scale" }, h("span", {}, significant(data.low)), h("span", {}, say("median", { median: significant(data.median) })), h("span", {}, significant(data.high))));
 }
+// www/pair/state/mask-steps.ts
+function compositionOf(given, { edits, done }, side) {
+	let file = given;
+	let areas = [];
+	for (const step of edits.slice(0, done)) {
+		if (step.side !== side) continue;
+		if ("given" in step) [file, areas] = [step.given, []];
+		else areas.push(step);
+	}
+	return {
+		file,
+		areas
+	};
+}
+function areasAfter(now, then) {
+	return now.file === then.file && now.areas.every((area, i) => area === then.areas[i]) ? then.areas.slice(now.areas.length) : null;
+}
+function withGivenMask({ masks, givenMasks, maskSteps }, side, mask) {
+	const given = mask === null ? null : {
+		name: mask.name,
+		source: mask.source
+	};
+	const before = masks[side];
+	const isGiven = (before === null || before.source.kind === "project") && maskSteps.edits.every((step) => step.side !== side) ? {
+		givenMasks: {
+			...givenMasks,
+			[side]: given
+		},
+		maskSteps
+	} : {
+		givenMasks,
+		maskSteps: recorded(maskSteps, {
+			side,
+			given
+		})
+	};
+	return {
+		masks: {
+			...masks,
+			[side]: mask
+		},
+		...isGiven
+	};
+}
+function nameOfMaskStep(step, images) {
+	const image = images[step.side]?.name ?? "";
+	if (!("given" in step)) return say("step-of-mask", {
+		deed: step.masked ? "masked" : "unmasked",
+		mask: "",
+		image
+	});
+	return say("step-of-mask", {
+		deed: step.given === null ? "removed" : "given",
+		mask: step.given?.name ?? "",
+		image
+	});
+}
 // www/pair/panel/masking.ts
-function mountMasking(host, bar, store, masking, paint) {
+function mountMasking(host, bar, store, masking, { paint, step }) {
 	const tool = button(say("mask-areas"), "tool-mask", () => masking.toggle(), say("outline-areas-in-which-no"));
 	const text = h("span", {
 		testid: "mask-text",
@@ -11704,8 +11963,8 @@ function mountMasking(host, bar, store, masking, paint) {
 	});
 	const mask = button(say("mask-it"), "mask-area", () => paint(true), say("no-points-in-the-outlined"));
 	const unmask = button(say("unmask-it"), "unmask-area", () => paint(false), say("points-in-the-outlined-area"));
-	const undo = button(say("undo-sign"), "mask-undo", () => masking.step(-1));
-	const redo = button(say("redo-sign"), "mask-redo", () => masking.step(1));
+	const undo = button(say("undo-sign"), "mask-undo", () => step(-1));
+	const redo = button(say("redo-sign"), "mask-redo", () => step(1));
 	const keep = button(say("save-masks"), "mask-save", () => saveMasks(store), say("masks-as-png-files-for"));
 	const end = button(say("end-masking"), "mask-end", () => masking.toggle());
 	const buttons = h("div", {
@@ -11715,13 +11974,14 @@ function mountMasking(host, bar, store, masking, paint) {
 		aria: { label: say("masks-of-the-pictures") }
 	}, text, mask, unmask, undo, redo, keep, end);
 	host.append(tool);
-	undoKeys(() => byId("view").offsetParent !== null && store.state.tool === "mask" && !marksHaveKeys(store.state), (by) => masking.step(by));
+	undoKeys(() => byId("view").offsetParent !== null && store.state.tool === "mask" && !marksHaveKeys(store.state), step);
 	bar.append(buttons);
 	store.watch((s) => [
 		s.tool,
 		s.outline,
 		s.images,
-		s.masks
+		s.masks,
+		s.maskSteps
 	], () => {
 		const { state } = store;
 		const held = document.activeElement;
@@ -11730,7 +11990,7 @@ function mountMasking(host, bar, store, masking, paint) {
 		buttons.hidden = state.tool !== "mask";
 		mask.disabled = !masking.isArea();
 		unmask.disabled = mask.disabled;
-		showSteps(undo, redo, masking.history, ({ name }) => name);
+		showSteps(undo, redo, state.maskSteps, (one) => nameOfMaskStep(one, state.images));
 		keep.disabled = SIDES.every((side) => fileOf(state, side) === null);
 		if (buttons.contains(held)) passFocus(held, [byId("view")]);
 		const corners = state.outline?.corners.length ?? 0;
@@ -13243,8 +13503,9 @@ function answerWith(state, notice, actions) {
 	if (notice?.kind === "busy") return line("busy", notice.text);
 	if (state.paused) {
 		const { openLeft, openRight } = state.results;
+		const opened = openLeft === void 0 && openRight === void 0 ? "cancelled-the-images-stay" : "cancelled-results-on-the-screen";
 		return {
-			...line("idle", say(openLeft === void 0 && openRight === void 0 ? "cancelled-the-images-stay" : "cancelled-results-on-the-screen")),
+			...line("idle", say(waitsForMarks(state) ? "the-images-wait-for-run" : opened)),
 			more: notice?.text ?? ""
 		};
 	}
@@ -13262,6 +13523,9 @@ function answerWith(state, notice, actions) {
 		...answer,
 		more: `${answer.more ?? ""} ${notice.text}`.trimStart()
 	};
+}
+function waitsForMarks(state) {
+	return !(isCurrent(state, "pointsLeft") || isCurrent(state, "pointsRight")) && (state.tool === "fiducials" || hasMarks(state));
 }
 function isOrientation({ stage, ended }) {
 	return !ended && stage === "orientation";
@@ -13592,73 +13856,6 @@ var Editing = class {
 		});
 	}
 };
-// www/pair/state/undoing.ts
-function sideOf({ images: { left, right } }, imageId) {
-	return left?.id === imageId ? "left" : right?.id === imageId ? "right" : void 0;
-}
-var Undoing = class {
-	state;
-	now;
-	isSame;
-	most;
-	all = NO_HISTORY;
-	constructor(state, now, isSame, most) {
-		this.state = state;
-		this.now = now;
-		this.isSame = isSame;
-		this.most = most;
-	}
-	get history() {
-		let { edits, done } = this.all;
-		for (let last = edits[done - 1]; last !== void 0 && !this.isAt(last, last.after); last = edits[done - 1]) {
-			edits = without$1(edits, done - 1);
-			done -= 1;
-		}
-		for (let next = edits[done]; next !== void 0 && !this.isAt(next, next.before); next = edits[done]) edits = without$1(edits, done);
-		if (edits !== this.all.edits) this.all = {
-			edits,
-			done
-		};
-		return this.all;
-	}
-	get last() {
-		const { edits, done } = this.history;
-		return edits[done - 1];
-	}
-	record(step) {
-		this.keep(this.history, step);
-	}
-	amend(step) {
-		const { history } = this;
-		this.keep(wentTo(history, history.done - 1), step);
-	}
-	keep(history, step) {
-		const edits = recorded(history, step).edits.slice(-this.most);
-		this.all = {
-			edits,
-			done: edits.length
-		};
-	}
-	go(by) {
-		const { edits, done } = this.history;
-		const step = edits[by < 0 ? done - 1 : done];
-		const side = step === void 0 ? void 0 : sideOf(this.state(), step.imageId);
-		if (step === void 0 || side === void 0) return null;
-		this.all = wentTo(this.all, done + by);
-		return {
-			step,
-			side,
-			value: by < 0 ? step.before : step.after
-		};
-	}
-	isAt({ imageId }, value) {
-		const side = sideOf(this.state(), imageId);
-		return side !== void 0 && this.isSame(this.now(side), value);
-	}
-};
-function without$1(all, index) {
-	return all.filter((_, i) => i !== index);
-}
 // www/pair/state/marking.ts
 var LEAST_SIMILARITY = 2;
 var LEAST_AFFINE = 3;
@@ -13668,18 +13865,15 @@ var FIELDS = [
 	"x_mm",
 	"y_mm"
 ];
-var MOST_UNDONE$1 = 1e3;
 var Marking = class {
 	store;
 	orienter;
 	show;
-	steps;
 	refusal = null;
 	constructor(store, orienter, show) {
 		this.store = store;
 		this.orienter = orienter;
 		this.show = show;
-		this.steps = new Undoing(() => store.state, (side) => store.state.photos[side].fiducials, (a, b) => a === b, MOST_UNDONE$1);
 		store.watch(["photos", "fiducialModel"], () => {
 			const { mark } = store.state;
 			if (mark !== null) this.take(mark.side, mark.index);
@@ -13715,16 +13909,11 @@ var Marking = class {
 		const { fiducials, origin } = photos[side];
 		const [left, top] = origin ?? [0, 0];
 		const [col = NaN, row = NaN] = [x + left, y + top].map(roundedPx);
-		const placed = {
+		this.change(side, deed, mark.index, {
 			...fiducials[mark.index] ?? UNMEASURED,
 			col,
 			row
-		};
-		this.set(side, [
-			...fiducials.slice(0, mark.index),
-			placed,
-			...fiducials.slice(mark.index + 1)
-		], deed, mark.index);
+		});
 	}
 	refuses(side, at) {
 		const { store, refusal } = this;
@@ -13747,89 +13936,89 @@ var Marking = class {
 		await this.goTo(side, Math.min(last, Math.max(0, index + by)));
 	}
 	clear() {
-		const { mark, photos } = this.store.state;
+		const { mark } = this.store.state;
 		const cleared = markInHand(this.store.state);
 		if (mark === null || cleared === void 0 || !isMeasured$1(cleared)) return;
-		const { fiducials } = photos[mark.side];
-		this.set(mark.side, fiducials.map((one) => one === cleared ? {
-			...one,
+		this.change(mark.side, "cleared", mark.index, {
+			...cleared,
 			col: NaN,
 			row: NaN
-		} : one), "cleared", mark.index);
+		});
 	}
 	type(side, index, numbers) {
 		const { fiducials } = this.store.state.photos[side];
 		const now = fiducials[index];
 		if (now === void 0 || FIELDS.every((field) => Object.is(numbers[field] ?? now[field], now[field]))) return;
-		this.set(side, fiducials.map((mark, i) => i === index ? {
-			...mark,
+		this.change(side, "typed", index, {
+			...now,
 			...numbers
-		} : mark), "typed", index);
+		});
 	}
 	takeCoordinates(side) {
 		const { photos } = this.store.state;
 		const marks = photos[side].fiducials;
 		const all = withCoordinatesOf(marks, photos[otherSide(side)].fiducials);
-		const first = marks.findIndex((mark, i) => mark !== all?.[i]);
-		if (all !== null) this.set(side, all, "coordinates", first < 0 ? marks.length : first);
+		if (all === null) return;
+		const first = all.findIndex((mark, i) => mark !== marks[i]);
+		this.set({
+			side,
+			deed: "coordinates",
+			at: first,
+			out: marks.slice(first),
+			put: all.slice(first)
+		});
 	}
 	add(side) {
-		const { fiducials } = this.store.state.photos[side];
-		this.set(side, [...fiducials, UNMEASURED], "added", fiducials.length);
+		this.change(side, "added", this.store.state.photos[side].fiducials.length, UNMEASURED);
 	}
 	remove(side, index) {
-		const { fiducials } = this.store.state.photos[side];
-		this.set(side, fiducials.filter((_, i) => i !== index), "removed", index);
+		this.change(side, "removed", index);
 	}
 	removeAll(side) {
-		if (this.store.state.photos[side].fiducials.length > 0) this.set(side, [], "all_removed", 0);
-	}
-	get history() {
-		return this.steps.history;
+		const { fiducials } = this.store.state.photos[side];
+		if (fiducials.length > 0) this.set({
+			side,
+			deed: "all_removed",
+			at: 0,
+			out: fiducials,
+			put: []
+		});
 	}
 	step(by) {
-		const gone = this.steps.go(by);
-		if (gone === null) return;
-		const { side, value, step } = gone;
-		const inUse = this.store.state.tool === "fiducials";
-		this.change(side, value);
-		if (!inUse) return;
-		this.resume(side, Math.min(step.index, value.length));
+		const { tool, markSteps } = this.store.state;
+		const { edits, done } = markSteps;
+		const step = edits[by < 0 ? done - 1 : done];
+		if (step === void 0) return;
+		this.store.dispatch({
+			type: "marksAfter",
+			done: done + by
+		});
+		if (tool !== "fiducials") return;
+		const { side } = step;
+		this.resume(side, Math.min(step.at, this.store.state.photos[side].fiducials.length));
 		this.store.dispatch({
 			type: "activeSide",
 			side
 		});
 	}
-	set(side, fiducials, deed, index) {
-		const { images, photos, tool, mark } = this.store.state;
-		const image = images[side];
-		const { last } = this.steps;
-		const now = photos[side].fiducials;
-		if (image !== null) {
-			const goesOn = deed === "nudged" && last?.deed === deed && last.imageId === image.id && last.index === index;
-			const step = {
-				imageId: image.id,
-				name: say("step-of-mark", {
-					deed,
-					number: index + 1
-				}),
-				before: goesOn ? last.before : now,
-				after: fiducials,
-				deed,
-				index
-			};
-			if (goesOn) this.steps.amend(step);
-			else this.steps.record(step);
-		}
-		this.change(side, fiducials);
-		if (tool === "fiducials" && mark?.side === side && this.store.state.mark === null) this.resume(side, Math.min(index, fiducials.length));
-	}
-	change(side, fiducials) {
-		this.store.dispatch({
-			type: "photo",
+	change(side, deed, at, ...put) {
+		this.set({
 			side,
-			photo: { fiducials }
+			deed,
+			at,
+			out: this.store.state.photos[side].fiducials.slice(at, at + 1),
+			put
 		});
+	}
+	set(step) {
+		const { tool, mark } = this.store.state;
+		const { side, at } = step;
+		this.store.dispatch({
+			type: "marked",
+			step
+		});
+		if (tool !== "fiducials" || mark?.side !== side || this.store.state.mark !== null) return;
+		this.resume(side, Math.min(at, this.store.state.photos[side].fiducials.length));
 	}
 	resume(side, index) {
 		if (this.store.state.tool !== "fiducials") this.store.dispatch({
@@ -13885,19 +14074,17 @@ function positionOf({ origin }, { parameters }, { x_mm, y_mm }) {
 }
 // www/pair/state/masking.ts
 var LEAST_CORNERS = 3;
-var MOST_UNDONE = 10;
 var Masking = class {
 	store;
 	painter;
-	steps;
 	former = null;
 	isTraced = false;
 	isTracing = false;
 	painting = Promise.resolve();
+	going = null;
 	constructor(store, painter) {
 		this.store = store;
 		this.painter = painter;
-		this.steps = new Undoing(() => store.state, (side) => store.state.masks[side], (a, b) => a?.id === b?.id, MOST_UNDONE);
 	}
 	can() {
 		return Object.values(this.store.state.images).some((image) => image !== null && image.source.kind !== "project");
@@ -13965,21 +14152,55 @@ var Masking = class {
 			type: "outline",
 			outline: null
 		});
-		this.painting = this.painting.catch(() => {}).then(() => this.painted(image.id, outline.corners, masked));
-		return this.painting;
-	}
-	get history() {
-		return this.steps.history;
+		this.going = null;
+		return this.next(() => this.painted(image.id, {
+			corners: outline.corners,
+			masked
+		}));
 	}
 	step(by) {
-		const gone = this.steps.go(by);
-		if (gone !== null) this.store.dispatch({
-			type: "mask",
-			side: gone.side,
-			mask: gone.value
+		if (this.going !== null) {
+			this.going.by += by;
+			return this.painting;
+		}
+		const going = { by };
+		this.going = going;
+		return this.next(() => {
+			if (this.going === going) this.going = null;
+			return this.went(going.by);
 		});
 	}
-	async painted(imageId, corners, masked) {
+	next(job) {
+		this.painting = this.painting.catch(() => {}).then(job);
+		return this.painting;
+	}
+	async went(by) {
+		const { state } = this.store;
+		const steps = wentTo(state.maskSteps, state.maskSteps.done + by);
+		const masks = { ...state.masks };
+		for (const side of SIDES) {
+			const made = await this.made(state, side, steps);
+			if (made === "cancelled") return;
+			masks[side] = made;
+		}
+		const { masks: now, maskSteps, images } = this.store.state;
+		if (now === state.masks && maskSteps === state.maskSteps && images === state.images) this.store.dispatch({
+			type: "masksAfter",
+			done: steps.done,
+			masks
+		});
+	}
+	async made(state, side, steps) {
+		const given = state.givenMasks[side];
+		const then = compositionOf(given, steps, side);
+		const more = areasAfter(compositionOf(given, state.maskSteps, side), then);
+		const present = state.masks[side];
+		if (more?.length === 0) return present;
+		if (then.file === null && then.areas.length === 0) return null;
+		return await (more === null ? this.painter(state, side, then.file, then.areas) : this.painter(state, side, present?.grey ?? null, more)) ?? "cancelled";
+	}
+	async painted(imageId, area) {
+		const { corners } = area;
 		const { state } = this.store;
 		const side = sideOf(this.store.state, imageId);
 		if (side === void 0) return;
@@ -13998,7 +14219,7 @@ var Masking = class {
 		}
 		let mask = null;
 		try {
-			mask = await this.painter(state, side, corners, masked);
+			mask = await this.painter(state, side, before?.grey ?? null, [area]);
 		} finally {
 			if (mask === null) this.outlinedAgain(imageId, corners);
 		}
@@ -14008,15 +14229,12 @@ var Masking = class {
 			this.outlinedAgain(imageId, corners);
 			return;
 		}
-		this.steps.record({
-			imageId,
-			name: say("step-of-mask", { masked: masked ? "yes" : "no" }),
-			before,
-			after: mask
-		});
 		this.store.dispatch({
-			type: "mask",
-			side: now,
+			type: "painted",
+			step: {
+				side: now,
+				...area
+			},
 			mask
 		});
 		tell("info", say("masks-of-the-image", {
@@ -14037,6 +14255,27 @@ var Masking = class {
 		});
 	}
 };
+function sideOf({ images: { left, right } }, imageId) {
+	return left?.id === imageId ? "left" : right?.id === imageId ? "right" : void 0;
+}
+// www/pair/state/of-sides.ts
+function withoutSides({ edits, done }, sides) {
+	const stays = ({ side }) => !sides.includes(side);
+	const all = edits.filter(stays);
+	return all.length === 0 ? NO_HISTORY : {
+		edits: all,
+		done: edits.slice(0, done).filter(stays).length
+	};
+}
+function exchangedSides({ edits, done }) {
+	return {
+		edits: edits.map((step) => ({
+			...step,
+			side: otherSide(step.side)
+		})),
+		done
+	};
+}
 // www/pair/state/reducer.ts
 var NO_DATA = {
 	fiducials: [],
@@ -14054,7 +14293,11 @@ var DEEDS = new Set([
 	"settings",
 	"camera",
 	"photo",
+	"marked",
+	"marksAfter",
 	"mask",
+	"painted",
+	"masksAfter",
 	"fiducialModel",
 	"offset",
 	"display",
@@ -14075,9 +14318,18 @@ function withTool(next, action) {
 		tool: "look"
 	} : next;
 }
-function markAmong({ mark, photos }, side, { fiducials }) {
-	if (mark?.side !== side || fiducials === void 0) return mark;
-	return fiducials.length < photos[side].fiducials.length || mark.index > fiducials.length ? null : mark;
+function markAmong({ mark, photos }, next) {
+	if (mark === null) return null;
+	const [before, now] = [photos, next].map((of) => of[mark.side].fiducials.length);
+	return now < before || mark.index > now ? null : mark;
+}
+function withMarks(state, marked) {
+	return {
+		...state,
+		...marked,
+		mark: markAmong(state, marked.photos),
+		paused: state.paused && state.tool === "fiducials"
+	};
 }
 function withShown(state, next) {
 	const shown = TYPED_PARTS.filter((part) => part in next.refused && next[part] !== state[part]);
@@ -14128,8 +14380,7 @@ function changed(state, action) {
 			camera: action.camera,
 			paused: false
 		};
-		case "photo": return {
-			...state,
+		case "photo": return withMarks(state, {
 			photos: {
 				...state.photos,
 				[action.side]: {
@@ -14137,15 +14388,32 @@ function changed(state, action) {
 					...action.photo
 				}
 			},
-			mark: markAmong(state, action.side, action.photo),
-			paused: false
+			markSteps: action.photo.fiducials === void 0 ? state.markSteps : withoutSides(state.markSteps, [action.side])
+		});
+		case "marked": return withMarks(state, withMarkStep(state, action.step));
+		case "marksAfter": return withMarks(state, withMarkStepsDone(state, action.done));
+		case "wait": return {
+			...state,
+			paused: true
 		};
 		case "mask": return {
 			...state,
+			...withGivenMask(state, action.side, action.mask),
+			paused: false
+		};
+		case "painted": return {
+			...state,
 			masks: {
 				...state.masks,
-				[action.side]: action.mask
+				[action.step.side]: action.mask
 			},
+			maskSteps: recorded(state.maskSteps, action.step),
+			paused: false
+		};
+		case "masksAfter": return {
+			...state,
+			masks: action.masks,
+			maskSteps: wentTo(state.maskSteps, action.done),
 			paused: false
 		};
 		case "fiducialModel": return {
@@ -14297,18 +14565,15 @@ function withImages(state, images, same = []) {
 		...before.images,
 		...images
 	};
-	const goes = (side) => replaced(before, images, side) && !same.includes(side);
+	const unmarked = SIDES.filter((side) => replaced(before, images, side) && !same.includes(side));
+	const unmasked = SIDES.filter((side) => images[side] !== void 0);
+	const without = (of, sides, none) => bothSides((side) => sides.includes(side) ? none : of[side]);
 	return {
 		...before,
 		images: all,
-		photos: {
-			left: goes("left") ? NO_DATA : before.photos.left,
-			right: goes("right") ? NO_DATA : before.photos.right
-		},
-		masks: {
-			left: images.left === void 0 ? before.masks.left : null,
-			right: images.right === void 0 ? before.masks.right : null
-		},
+		photos: without(before.photos, unmarked, NO_DATA),
+		masks: without(before.masks, unmasked, null),
+		givenMasks: without(before.givenMasks, unmasked, null),
 		selection: null,
 		paused: false,
 		failures: {},
@@ -14317,6 +14582,8 @@ function withImages(state, images, same = []) {
 			right: null
 		},
 		...UNEDITED,
+		maskSteps: withoutSides(before.maskSteps, unmasked),
+		markSteps: withoutSides(before.markSteps, unmarked),
 		...exchangedPair(state, all)
 	};
 }
@@ -14333,6 +14600,7 @@ function withoutTruth(state) {
 			left: NO_DATA,
 			right: NO_DATA
 		},
+		markSteps: NO_HISTORY,
 		offset: null
 	};
 }
@@ -14367,6 +14635,7 @@ function withSimulated(state, { left, right, pair }) {
 				origin: pair.right_origin
 			}
 		},
+		markSteps: NO_HISTORY,
 		offset: null,
 		truth: {
 			leftId: left.id,
@@ -14399,6 +14668,10 @@ function swapped(state) {
 			left: state.masks.right,
 			right: state.masks.left
 		},
+		givenMasks: {
+			left: state.givenMasks.right,
+			right: state.givenMasks.left
+		},
 		offset: state.offset === null ? null : [-state.offset[0], -state.offset[1]],
 		views: {
 			left: state.views.right,
@@ -14406,6 +14679,8 @@ function swapped(state) {
 		},
 		...UNEDITED,
 		history: exchanged(state.history),
+		maskSteps: exchangedSides(state.maskSteps),
+		markSteps: exchangedSides(state.markSteps),
 		...measuredOn(state.draft === null ? null : exchangedDraft(state.draft), state.tool),
 		selection: null,
 		failures: {},
@@ -15588,8 +15863,9 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 		}
 	};
 	const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
-	const masking = new Masking(store, (state, side, corners, masked) => paintedMask(engine, state, side, corners, masked));
+	const masking = new Masking(store, (state, side, over, areas) => paintedMask(engine, state, side, over, areas));
 	const paint = (masked) => void attempt(() => masking.paint(masked));
+	const stepMasks = (by) => void attempt(() => masking.step(by));
 	const marking = new Marking(store, (fiducials, model) => engine.client("preview").call("orientMarks", {
 		fiducials: [...fiducials],
 		model
@@ -15613,7 +15889,10 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 		begun: measured,
 		ended: () => view.takeKeys()
 	});
-	mountMasking(byId("view-more"), byId("toolbar"), store, masking, paint);
+	mountMasking(byId("view-more"), byId("toolbar"), store, masking, {
+		paint,
+		step: stepMasks
+	});
 	mountMarking(byId("toolbar"), store, marking);
 	await breath();
 	const pick = pickerOf(files);
@@ -15630,12 +15909,13 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 	mountControls(settings, store, settingsButton);
 	mountCamera(camera, store, () => pick(null));
 	await breath();
-	mountFiducials(camera, store, (side) => pick(side), marking, (side) => {
+	const measureMarks = (side) => {
 		marking.toggle(side);
 		if (store.state.tool !== "fiducials") return;
 		uncoverPictures();
 		byId("view").focus();
-	});
+	};
+	mountFiducials(camera, store, (side) => pick(side), marking, measureMarks);
 	await breath();
 	mountCounts(results, store);
 	mountGeometry(results, store);
@@ -15714,6 +15994,7 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 		store,
 		engine,
 		kept,
+		measureMarks,
 		begin: () => files.begin(),
 		taker: takerOf(store, view, files),
 		open: (file) => files.takeProject(file),
@@ -17592,19 +17873,23 @@ function sayOpening(keeper, { store }) {
 }
 async function loadBlock(catalogue, pair, elsewhere) {
 	await learnPart("block");
-	const { blockCatalogue, masksOf, mountBlock, openPair } = await loadPart("block.js", () => __vitePreload(() => import("./block.js"), [], import.meta.url));
+	const { blockCatalogue, masksOf, matchesOf, mountBlock, openPair, scansBeside } = await loadPart("block.js", () => __vitePreload(() => import("./block.js"), [], import.meta.url));
 	const ofBlocks = blockCatalogue(catalogue);
+	const projects = {
+		putAside: () => elsewhere.putAside(pair.kept),
+		stays: elsewhere.stays
+	};
 	const block = await mountBlock(ofBlocks, {
 		...elsewhere,
 		pair: {
 			names: () => [pair.store.state.images.left?.name ?? null, pair.store.state.images.right?.name ?? null],
 			masks: () => masksOf(pair.store.state),
-			watch: (changed) => pair.store.watch(["images", "masks"], changed)
+			matches: () => matchesOf(pair.store.state),
+			watch: (changed) => pair.store.watch(["images", "masks"], changed),
+			watchMatches: (changed) => pair.store.watch(["results", "history"], changed)
 		},
-		openPair: (store, images) => openPair(store, elsewhere.modes, pair, {
-			putAside: () => elsewhere.putAside(pair.kept),
-			stays: elsewhere.stays
-		}, images)
+		openPair: (store, images) => openPair(store, elsewhere.modes, pair, projects, images),
+		scans: (store) => scansBeside(store, elsewhere.modes, pair, projects)
 	});
 	block.store.dispatch({
 		type: "ready",
@@ -17612,4 +17897,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, CANDIDATE, CallError, Cancelled, EPIPOLAR, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MASK_SIDE, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, isHidden, isMode, isOpen, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, sidewaysNote, smooth, sortRasters, startProgram, swatch, system_coordinates, system_positions, tabbed, takeHere, textIn, titleOf, toCanvas, toPosition, toggle, transformOf, typed, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, BY_HAND, CANDIDATE, CallError, Cancelled, EPIPOLAR, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MASK_SIDE, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior$1 as interior, isCurrent, isHidden, isMeasured$1 as isMeasured, isMode, isNothing, isOpen, isWhole$1 as isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf, startProgram, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, titleOf, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, wholeMarks, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

@@ -4468,21 +4468,8 @@
 		for (const value of grey) if (value === 0) zeros += 1;
 		return zeros / grey.length;
 	}
-	function fill(grey, width, height, outline, value) {
-		const count = outline.length / 2;
-		for (let row = 0; row < height; row++) {
-			const middle = row + .5;
-			const crossings = [];
-			for (let i = 0; i < count; i++) {
-				const next = (i + 1) % count;
-				const [x, y, u, v] = [
-					outline[2 * i] ?? 0,
-					outline[2 * i + 1] ?? 0,
-					outline[2 * next] ?? 0,
-					outline[2 * next + 1] ?? 0
-				];
-				if (y <= middle !== v <= middle) crossings.push([x + (middle - y) / (v - y) * (u - x), y <= middle ? 1 : -1]);
-			}
+	function fill(grey, width, height, corners, value) {
+		for (const [row, crossings] of crossingsOf(corners, height)) {
 			crossings.sort(([a], [b]) => a - b);
 			let winding = 0;
 			for (const [i, [from, turn]] of crossings.entries()) {
@@ -4491,6 +4478,21 @@
 				if (winding !== 0) grey.fill(value, row * width + columnAfter(from, width), row * width + columnAfter(to, width));
 			}
 		}
+	}
+	function crossingsOf(corners, height) {
+		const rows = new Map();
+		for (const [i, [x, y]] of corners.entries()) {
+			const [u, v] = corners[i + 1] ?? corners[0] ?? [x, y];
+			const [top, bottom] = [Math.min(y, v), Math.max(y, v)];
+			for (let row = Math.max(0, Math.floor(top - .5)); row < Math.min(height, bottom); row++) {
+				const middle = row + .5;
+				if (middle < top || middle >= bottom) continue;
+				const crossings = rows.get(row) ?? [];
+				crossings.push([x + (middle - y) / (v - y) * (u - x), y < v ? 1 : -1]);
+				rows.set(row, crossings);
+			}
+		}
+		return rows;
 	}
 	var columnAfter = (x, width) => Math.min(width, Math.max(0, Math.ceil(x - .5)));
 	// www/pair/engine/patch.ts
@@ -4556,7 +4558,7 @@
 		if (current.colour !== null) return colourTile(current.colour, level, column, row, side);
 		return tileOf(greyOf(current), current.photo.width, current.photo.height, level, column, row, side);
 	}
-	async function mask({ file, overlaySide }) {
+	async function decodedGrey(file) {
 		const decoded = await decode({
 			kind: "file",
 			file
@@ -4567,14 +4569,21 @@
 		return {
 			width,
 			height,
-			grey,
+			grey
+		};
+	}
+	async function mask({ file, overlaySide }) {
+		const decoded = await decodedGrey(file);
+		const { width, height, grey } = decoded;
+		return {
+			...decoded,
 			leftOut: shareLeftOut(grey),
 			overlay: await overlayOf(grey, width, height, overlaySide)
 		};
 	}
-	async function paintMask({ grey: before, width, height, outline, masked, overlaySide }) {
-		const grey = before ?? new Uint8Array(width * height).fill(255);
-		fill(grey, width, height, outline, masked ? 0 : 255);
+	async function paintMask({ over, width, height, areas, overlaySide }) {
+		const grey = (over instanceof Blob ? (await decodedGrey(over)).grey : over) ?? new Uint8Array(width * height).fill(255);
+		for (const { corners, masked } of areas) fill(grey, width, height, corners, masked ? 0 : 255);
 		const png = grey_png(width, height, grey);
 		return {
 			width,
