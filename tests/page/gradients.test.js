@@ -184,7 +184,7 @@ test('a mask leaves points out, is shown, and goes with its image; one of anothe
   assert.ok(points.left.length > 500 && points.left.every((/** @type {number[]} */ [x]) => (x ?? 0) >= middle));
   assert.ok(points.right.some((/** @type {number[]} */ [x]) => (x ?? 0) < middle));
   assert.deepEqual([images.left.mask, images.right.mask], ['half.png', null]);
-  assert.ok((await coloured(part(page, 'layer-pictures'))) > 1000, 'the overlay');
+  assert.ok((await coloured(part(page, 'layer-masks'))) > 1000, 'the overlay');
   await page.screenshot({ path: join(SHOTS, 'mask.png') });
   await part(page, 'unmask-left').click();
   await page.waitForFunction(
@@ -192,7 +192,7 @@ test('a mask leaves points out, is shown, and goes with its image; one of anothe
     all,
   );
   await done(page);
-  assert.equal(await coloured(part(page, 'layer-pictures')), 0);
+  assert.equal(await coloured(part(page, 'layer-masks')), 0);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -2,6 +2,7 @@
 import { choice, toggle, vectorChoice } from '../../shared/panel/choice';
 import { button, fill, h } from '../../shared/panel/dom';
 import { passFocus } from '../../shared/panel/focus';
+import { makeLight } from '../../shared/panel/light';
 import { mountMenu } from '../../shared/panel/menu';
 import { labelled } from '../../shared/panel/zoom';
 import { asFigure } from '../../shared/text/direction';
@@ -250,12 +251,12 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
     if (images !== null) looking.open(images);
   });
   pair.title = say('match-the-two-images-that');
+  const light = makeLight('images-', host, set);
   const more = h(
     'div',
     { class: 'more image-more', id: 'images-more' },
     labelled('1:1', 'images-actual', say('n-1-1-one-image-pixel'), () => view.moving.actualSize()),
-    slider(say('brightness'), 'images-brightness', (brightness) => set({ brightness })),
-    slider(say('contrast'), 'images-contrast', (contrast) => set({ contrast })),
+    ...light.elements,
     adding,
     imageLegend('images-menu-legend', view),
   );
@@ -272,8 +273,7 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
     ] as const)
       made.setAttribute('aria-pressed', String(on));
     vectorSelect.value = String(look.vectors);
-    host.style.setProperty('--brightness', String(look.brightness));
-    host.style.setProperty('--contrast', String(look.contrast));
+    light.show(look);
     pair.hidden = pairOf(store) === null;
     other.hidden = shown === null || shownImages(panes, shown.view).length >= shown.view.images.length;
     const names = shown?.view.images.map(({ name }) => name) ?? [];
@@ -291,16 +291,4 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
 function pairOf({ state: { panes, shown } }: BlockStore): [number, number] | null {
   const [a, b, ...more] = shown === null ? [] : shownImages(panes, shown.view);
   return a === undefined || b === undefined || more.length > 0 ? null : [a, b];
-}
-
-/** A share from a third to three times what it is, in even steps of its ratio. */
-function slider(label: string, testid: string, onChange: (share: number) => void): HTMLElement {
-  const input = h('input', { type: 'range', testid });
-  Object.assign(input, { min: '-1', max: '1', step: '0.05', value: '0' });
-  input.addEventListener('input', () => onChange(3 ** Number(input.value)));
-  input.addEventListener('dblclick', () => {
-    input.value = '0';
-    onChange(1);
-  });
-  return h('label', { class: 'choice' }, h('span', {}, label), input);
 }

@@ -1,4 +1,6 @@
 /** Which images of a block are shown side by side, where each pane looks, and how they are drawn. */
+import { OWN_LIGHT } from '../../shared/state/light';
+import type { Light } from '../../shared/state/light';
 import type { PaneView } from '../../shared/state/pane';
 import type { BlockView } from './view';
 
@@ -8,16 +10,13 @@ export const MOST_PANES = 9;
 /** Images that are shown where none was asked for, and where nothing says which ones show a point: few, so that they are large. */
 export const FEW_PANES = 4;
 
-export interface Look {
+export interface Look extends Light {
   points: boolean;
   /** How much longer residuals are drawn than they are; 0: not at all. */
   vectors: number;
   /** All panes are moved together. */
   linked: boolean;
   loupe: boolean;
-  /** Shares of what they are, 1 by default. */
-  brightness: number;
-  contrast: number;
   /** A chosen point is shown where it is not measured too. */
   unmeasured: boolean;
 }
@@ -43,7 +42,7 @@ export const NO_PANES: Panes = {
   images: [],
   views: new Map(),
   active: null,
-  look: { points: true, vectors: 0, linked: false, loupe: false, brightness: 1, contrast: 1, unmeasured: false },
+  look: { points: true, vectors: 0, linked: false, loupe: false, ...OWN_LIGHT, unmeasured: false },
 };
 
 export function reducePanes(panes: Panes, action: PanesAction): Panes {

@@ -5,7 +5,8 @@ import type { Store } from '../state/store';
 import type { Navigator } from '../view/navigate';
 import { SOME_LINES } from '../view/marks';
 import { choice, toggle, vectorChoice } from '../../shared/panel/choice';
-import { fill, h } from '../../shared/panel/dom';
+import { byId, fill, h } from '../../shared/panel/dom';
+import { makeLight } from '../../shared/panel/light';
 import { mountMenu } from '../../shared/panel/menu';
 import { count } from '../../shared/text/format';
 import { labelled, zoomButtons } from '../../shared/panel/zoom';
@@ -29,6 +30,10 @@ export function mountToolbar(host: HTMLElement, store: Store, navigator: Navigat
   const [vectors, vectorSelect] = vectorChoice('layer-vectors', (vectors) => set({ vectors }));
   const linked = toggle(say('linked'), 'linked', say('pan-and-zoom-both-images'), (on) => set({ linked: on }));
   const magnifier = toggle(say('magnifier'), 'magnifier', say('enlarge-what-is-under-the-pointer'), (on) => set({ magnifier: on }));
+  const light = makeLight('view-', byId('view'), set);
+  const sliders = h('div', { class: 'menu', id: 'view-light' }, ...light.elements);
+  const unfoldLight = labelled('◐', 'view-light', say('brightness-and-contrast'), () => undefined);
+  mountMenu(unfoldLight, sliders);
   const more = h(
     'div',
     { class: 'more', id: 'view-more' },
@@ -38,6 +43,7 @@ export function mountToolbar(host: HTMLElement, store: Store, navigator: Navigat
     linked,
     magnifier,
     labelled('1:1', 'zoom-actual', say('n-1-1-one-image-pixel'), () => navigator.actualSize()),
+    h('div', { class: 'light' }, unfoldLight, sliders),
     h('span', { class: 'divider' }),
     labelled('‹', 'previous-point', say('previous-point-p'), () => navigator.step(-1)),
     labelled('›', 'next-point', say('next-point-n'), () => navigator.step(1)),
@@ -57,5 +63,6 @@ export function mountToolbar(host: HTMLElement, store: Store, navigator: Navigat
     vectorSelect.value = String(display.vectors);
     linked.setAttribute('aria-pressed', String(display.linked));
     magnifier.setAttribute('aria-pressed', String(display.magnifier));
+    light.show(display);
   });
 }

@@ -1,4 +1,6 @@
 /** The one state object of the page. Results keep the key of the settings that made them: stale is a comparison, never a flag. */
+import { OWN_LIGHT } from '../../shared/state/light';
+import type { Light } from '../../shared/state/light';
 import type { PaneView } from '../../shared/state/pane';
 import type { ImageSource, InteriorOutput, MaskImage, MatchesOf, Overview } from './data';
 import type {
@@ -177,7 +179,7 @@ export interface Selection {
 export type PointLayer = 'all' | 'matched' | 'none';
 export type LineLayer = 'all' | 'some' | 'none';
 
-export interface Display {
+export interface Display extends Light {
   points: PointLayer;
   lines: LineLayer;
   /** Enlargement of the residual vectors; 0 hides them. */
@@ -339,6 +341,6 @@ export const INITIAL: State = {
   tool: 'look',
   activeSide: 'left',
   views: { left: null, right: null },
-  display: { points: 'matched', lines: 'some', vectors: 0, linked: true, magnifier: false, hidden: [] },
+  display: { points: 'matched', lines: 'some', vectors: 0, linked: true, magnifier: false, hidden: [], ...OWN_LIGHT },
   notice: null,
 };

@@ -1,14 +1,12 @@
-/** Fiducial marks while they are measured: where they are, where the next one is expected, and the one in hand enlarged. */
+/** Fiducial marks while they are measured: where they are, and where the next one is expected. */
 import { drawCross, drawExpected } from '../../shared/view/pointer';
 import { markInHand, placeOfMark } from '../state/marks';
 import { SIDES } from '../state/state';
 import type { State } from '../state/state';
-import { drawCornerLens } from './draft';
 import { middleOf } from './scene';
 import type { Scene } from './scene';
-import type { TileCache } from './tilecache';
 
-export function drawFiducials(context: CanvasRenderingContext2D, state: State, scene: Scene, ratio: number, tiles: TileCache): void {
+export function drawFiducials(context: CanvasRenderingContext2D, state: State, scene: Scene): void {
   const { tool, mark, photos } = state;
   if (tool !== 'fiducials') return;
   for (const side of SIDES) {
@@ -18,11 +16,7 @@ export function drawFiducials(context: CanvasRenderingContext2D, state: State, s
     }
   }
   if (mark === null) return;
-  const at = placeOfMark(photos[mark.side], markInHand(state));
-  if (at !== null) {
-    drawCornerLens(context, state, scene, mark.side, at, ratio, tiles);
-    return;
-  }
+  if (placeOfMark(photos[mark.side], markInHand(state)) !== null) return;
   const pane = scene.panes[mark.side];
   drawCross(context, pane, middleOf(pane), false);
   if (mark.expected !== null) drawExpected(context, pane, [mark.expected[0], mark.expected[1]]);

@@ -1,18 +1,14 @@
-/** What follows the pointer and the selection: the selected point, its search window and candidates, the magnifier. */
+/** What follows the selection: the selected point, its search window and candidates. */
 import { comparesGradients, comparesGreyValues, isCurrent } from '../state/keys';
 import { expectedPosition } from '../state/offset';
 import { leftIndexOf, placeOf } from '../state/selected';
 import type { State } from '../state/state';
 import { drawSupport } from './frames';
 import { within } from '../../shared/view/layers';
-import { contains, toCanvas, toPosition } from '../../shared/view/transform';
-import type { Rect } from '../../shared/view/transform';
-import { drawPoints } from './marks';
+import { toCanvas } from '../../shared/view/transform';
 import { CANDIDATE, SELECTED } from '../../shared/view/palette';
-import { crosshair, drawLine, LENS_FACTOR, lensFrame, lensRect, lensTransform, ring } from '../../shared/view/pointer';
-import { paintPicture } from './picture';
+import { drawLine, ring } from '../../shared/view/pointer';
 import type { Pane, Scene } from './scene';
-import type { TileCache } from './tilecache';
 
 const MOST_CANDIDATES_DRAWN = 200;
 /** Candidates by gradients lie all over the image: the nearest of them. */
@@ -80,45 +76,4 @@ function drawCandidates(
     if (gradients) drawSupport(context, settings, pane, scene.match?.best[leftIndex] ?? -1);
     if (best !== null) ring(context, pane, best, 9, SELECTED, state.selection?.side === 'right' ? 2.5 : 2);
   });
-}
-
-/** The magnifier at a canvas position: the image under the pointer, enlarged, with its points. */
-export function drawLens(
-  context: CanvasRenderingContext2D,
-  state: State,
-  scene: Scene,
-  at: [number, number],
-  ratio: number,
-  tiles: TileCache,
-  bounds: Rect,
-): void {
-  const pane = contains(scene.panes.left.rect, at[0], at[1]) ? scene.panes.left : scene.panes.right;
-  if (pane.picture === null || !contains(pane.rect, at[0], at[1])) return;
-  const scale = Math.min(48, Math.max(4, pane.transform.scale * LENS_FACTOR));
-  paintLens(context, state, scene, pane, toPosition(pane.transform, at[0], at[1]), lensRect(at, bounds), scale, ratio, tiles);
-}
-
-/** A rectangle of the canvas that shows what lies around a place of an image, enlarged, with its points. */
-export function paintLens(
-  context: CanvasRenderingContext2D,
-  state: State,
-  scene: Scene,
-  pane: Pane,
-  at: [number, number],
-  rect: Rect,
-  scale: number,
-  ratio: number,
-  tiles: TileCache,
-): void {
-  const { picture } = pane;
-  if (picture === null) return;
-  const transform = lensTransform(rect, at, scale);
-  within(context, rect, () => {
-    context.fillStyle = '#000000';
-    context.fillRect(rect.left, rect.top, rect.width, rect.height);
-    paintPicture(context, picture, transform, rect, ratio, tiles);
-    drawPoints(context, state, scene, pane, transform, rect);
-    crosshair(context, rect);
-  });
-  lensFrame(context, rect);
 }

@@ -1,4 +1,4 @@
-/** The canvases: images below, marks above them, selection and magnifier on top. Each is drawn again only when what it shows changed. */
+/** The canvases: images below, masks and marks above them, selection and loupes on top. Each is drawn again only when what it shows changed. */
 import { isCodeShown } from '../state/display';
 import type { Engine } from '../engine/engine';
 import { wantedKeys } from '../state/keys';
@@ -10,19 +10,23 @@ import { Layers } from '../../shared/view/layers';
 import { toCanvas, toPosition } from '../../shared/view/transform';
 import type { Rect } from '../../shared/view/transform';
 import { drawChosen, drawRectangle } from './chosen';
-import { drawDraft, drawDraftLenses } from './draft';
+import { drawDraft } from './draft';
 import { drawFiducials } from './fiducials';
 import { PointGrid } from '../../shared/view/grid';
+import { drawOverLenses, lensesOfMeasured, magnifierAt, paintLenses } from './lenses';
+import type { Lens } from './lenses';
 import { drawMarks } from './marks';
 import { drawOutline } from './outline';
-import { drawLens, drawSelection } from './overlay';
+import { drawSelection } from './overlay';
 import { paintMask, paintPicture } from './picture';
 import { marksOf, paneAt, sceneOf } from './scene';
 import type { Pane, Scene } from './scene';
 import { TileCache } from './tilecache';
 
-type LayerName = 'pictures' | 'marks' | 'overlay';
-const LAYERS: readonly LayerName[] = ['pictures', 'marks', 'overlay'];
+type LayerName = 'pictures' | 'masks' | 'marks' | 'overlay' | 'lenses' | 'glass';
+const LAYERS: readonly LayerName[] = ['pictures', 'masks', 'marks', 'overlay', 'lenses', 'glass'];
+/** What lies over the marks. */
+const ABOVE: readonly LayerName[] = ['overlay', 'lenses', 'glass'];
 
 /** How near a click must be to a point, in CSS px. */
 const CLICK_RADIUS = 14;
@@ -52,7 +56,7 @@ export class View {
         if (side === undefined) throw new Error('the image is no longer shown');
         return (await engine.withImage(side, store.state)).call('tile', { level, column, row, side: 512 });
       },
-      () => this.layers.redraw('pictures', 'overlay'),
+      () => this.layers.redraw('pictures', 'lenses'),
     );
     store.watch(
       (s) => [s.views, s.images, s.masks, s.results.openLeft, s.results.openRight] as const,
@@ -65,7 +69,7 @@ export class View {
         const { left, right } = vectors;
         return [points.left, points.right, codes.left, codes.right, match, matchCodes, places, left, right, shown, s.display, s.catalogue] as const;
       },
-      () => this.layers.redraw('marks', 'overlay'),
+      () => this.layers.redraw('marks', ...ABOVE),
     );
     store.watch(
       (s) =>
@@ -83,7 +87,7 @@ export class View {
           s.settings,
           s.results.offset,
         ] as const,
-      () => this.layers.redraw('overlay'),
+      () => this.layers.redraw(...ABOVE),
     );
   }
 
@@ -100,7 +104,7 @@ export class View {
   /** The pointer's place over the canvas, for the magnifier; null when it left. */
   point(at: [number, number] | null): void {
     this.pointer = at;
-    if (this.store.state.display.magnifier) this.layers.redraw('overlay');
+    if (this.store.state.display.magnifier) this.layers.redraw('lenses', 'glass');
   }
 
   /** Shows a rectangle that is being drawn; null: none. */
@@ -138,6 +142,12 @@ export class View {
       case 'pictures':
         for (const side of SIDES) this.drawPicture(context, scene.panes[side]);
         break;
+      case 'masks':
+        for (const { side, picture, transform, rect } of SIDES.map((one) => scene.panes[one])) {
+          const mask = state.masks[side];
+          if (picture !== null && mask !== null) paintMask(context, mask, transform, rect);
+        }
+        break;
       case 'marks':
         if (state.catalogue !== null) drawMarks(context, state, scene);
         break;
@@ -146,19 +156,23 @@ export class View {
         drawSelection(context, state, scene);
         drawDraft(context, state, scene);
         drawOutline(context, state, scene);
-        drawFiducials(context, state, scene, this.layers.ratio, this.tiles);
+        drawFiducials(context, state, scene);
         if (this.rectangle !== null) drawRectangle(context, this.rectangle);
-        drawDraftLenses(context, state, scene, this.layers.ratio, this.tiles);
-        if (state.draft === null) this.drawMagnifier(context, state, scene);
+        break;
+      case 'lenses':
+        paintLenses(context, this.lenses(state, scene), this.layers.ratio, this.tiles);
+        break;
+      case 'glass':
+        if (state.catalogue !== null) drawOverLenses(context, state, scene, this.lenses(state, scene));
     }
   }
 
-  /** At the pointer; at the selected point while the pointer is elsewhere. */
-  private drawMagnifier(context: CanvasRenderingContext2D, state: State, scene: Scene): void {
+  /** Over what is measured; the magnifier at the pointer, or at the selected point while the pointer is elsewhere. */
+  private lenses(state: State, scene: Scene): Lens[] {
+    const { width, height } = this.layers;
     const at = this.pointer ?? selectedPlace(state, scene);
-    if (!state.display.magnifier || at === null || state.catalogue === null) return;
-    const { width, height, ratio } = this.layers;
-    drawLens(context, state, scene, at, ratio, this.tiles, { left: 0, top: 0, width, height });
+    const magnifies = state.display.magnifier && state.draft === null && at !== null && state.catalogue !== null;
+    return [...lensesOfMeasured(state, scene), ...(magnifies ? magnifierAt(scene, at, { left: 0, top: 0, width, height }) : [])];
   }
 
   private drawPicture(context: CanvasRenderingContext2D, pane: Pane): void {
@@ -166,8 +180,6 @@ export class View {
     // Tiles are for the picture of the image that is wanted now.
     const current = wantedKeys(this.store.state)[pane.side === 'left' ? 'openLeft' : 'openRight'] !== null;
     paintPicture(context, pane.picture, pane.transform, pane.rect, this.layers.ratio, current ? this.tiles : null);
-    const mask = this.store.state.masks[pane.side];
-    if (mask !== null) paintMask(context, mask, pane.transform, pane.rect);
   }
 }
 

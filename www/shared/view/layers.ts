@@ -60,7 +60,12 @@ export class Layers<Name extends string> {
     canvas.width = Math.round(this.width * this.ratio);
     canvas.height = Math.round(this.height * this.ratio);
     const context = contextOf(canvas);
-    for (const name of this.names) context.drawImage(this.contexts[name].canvas, 0, 0);
+    for (const name of this.names) {
+      const layer = this.contexts[name].canvas;
+      // Not all browsers filter what is drawn; they draw pictures as they are.
+      context.filter = getComputedStyle(layer).filter;
+      context.drawImage(layer, 0, 0);
+    }
     return canvas;
   }
 

@@ -300,8 +300,6 @@ other-images = صور أخرى
 other-images-title = عرض الصور التالية (Page Down)؛ تبقى الصور التي وُضعت فيها النقطة المقيسة
 open-as-pair = فتح زوجًا
 match-the-two-images-that = مطابقة الصورتين المعروضتين في عرض الأزواج
-brightness = السطوع
-contrast = التباين
 
 ## map
 

@@ -343,8 +343,6 @@ other-images = Other images
 other-images-title = Show the next images (Page Down); those in which the measured point is placed stay
 open-as-pair = Open as pair
 match-the-two-images-that = Match the two images that are shown, in the view of pairs
-brightness = Brightness
-contrast = Contrast
 
 ## panel/map-view
 

@@ -191,6 +191,15 @@ shows-the-project-as-the = Shows the project as the other tab has kept it
 save-its-files = Save its files
 open-it = Open it
 
+## panel/light
+
+brightness = Brightness
+contrast = Contrast
+brightness-and-contrast = Brightness and contrast
+light-reset = Reset
+light-reset-title = Show the pictures as bright as they are in their files
+light-percent = { $percent } %
+
 ## panel/numberfield
 
 the-last-valid-value-stays = The last valid value stays in use.
