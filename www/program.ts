@@ -16,7 +16,7 @@ import type { FoundFile, ServeDrop, Taker } from './shared/files/drop';
 import { Keeper } from './shared/files/keeper';
 import { LateKeepable } from './shared/files/late';
 import { nameVersion } from './shared/panel/version';
-import { mountActions } from './shared/panel/actions';
+import { beforeSearch, mountActions } from './shared/panel/actions';
 import { byId } from './shared/panel/dom';
 import { mountLanguage } from './shared/panel/language';
 import { mountMenu } from './shared/panel/menu';
@@ -85,6 +85,7 @@ async function startParts(opening: Promise<Database>, serveDrop: ServeDrop): Pro
     takers.unshift(block.taker);
     return block;
   });
+  beforeSearch(() => blocks.get());
   const keptBlock = new LateKeepable('block', () => blocks.get());
   /** What cannot be loaded is said, and tried again the next time. */
   async function withBlock(act: (block: Block) => void | Promise<void>): Promise<void> {

@@ -167,7 +167,10 @@ test('observations and images are rejected, a point is measured by keyboard, all
   await page.keyboard.press('Control+k');
   await part(page, 'search-text').fill('undo');
   const undoing = part(page, 'search-list').locator('li');
-  assert.deepEqual(await undoing.allTextContents(), ['Undo: reject photo_0.pngEdits by handCtrl+Z']);
+  const [undo, ...others] = await undoing.allTextContents();
+  assert.equal(undo, 'Undo: reject photo_0.pngEdits by handCtrl+Z');
+  // What nothing was done to has nothing to undo.
+  assert.ok(others.length > 0 && others.every((text) => /not possible now/.test(text)), others.join());
   await part(page, 'search-text').fill('edit anywhere');
   assert.equal(await undoing.count(), 0);
   await part(page, 'search-text').fill('copy tables');

@@ -6,6 +6,7 @@ import type { Here } from '../shared/files/leaving';
 import { byId, h } from '../shared/panel/dom';
 import { drawerButton, reveal, setDrawer, uncoverPictures } from '../shared/panel/drawers';
 import { makeNear } from '../shared/panel/near';
+import { declareLack } from '../shared/panel/reach';
 import { readSetting, withSetting } from '../shared/panel/settings';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { sentence } from '../shared/text/format';
@@ -19,6 +20,7 @@ import { takerOf } from './files/taker';
 import { paintedMask } from './files/painted';
 import { exportProject } from './files/project';
 import { shownPair } from './state/select';
+import { SIDES } from './state/state';
 import { mountAnnouncements } from './panel/announce';
 import { useCalibration } from './panel/calibration';
 import { focusFocalLength, mountCamera } from './panel/camera';
@@ -40,6 +42,7 @@ import { mountSimulate } from './panel/simulate';
 import { mountStatistics } from './panel/statistics';
 import { mountStatus } from './panel/status';
 import { mountToolbar } from './panel/toolbar';
+import { lackOfMatches } from './state/choice';
 import { Editing } from './state/editing';
 import { Marking } from './state/marking';
 import { Masking } from './state/masking';
@@ -152,6 +155,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
   );
   mountInput(view, store, navigator, { editing, masking, marking, paint });
   mountToolbar(byId('toolbar'), store, navigator);
+  declareLack([byId('toolbar'), byId('view')], () => (SIDES.some((side) => store.state.images[side] === null) ? say('needs-two-photos') : ''));
   mountEditTools(byId('view-more'), byId('toolbar'), store, editing);
   /** A match is measured in the pictures, wherever it was begun. */
   const measured = () => {
@@ -188,6 +192,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
   mountHistograms(results, store);
   await breath();
   mountPoint(point, store, (side, index) => navigator.select({ side, index }));
+  declareLack([matches], () => lackOfMatches(store.state));
   mountEdits(matches, store, editing, measured);
   mountEditKeys(matches, store, editing, measured);
   mountStatistics(matches, store, editing, (side, index) => navigator.select({ side, index }));

@@ -2,6 +2,7 @@
 import { toggle } from '../../shared/panel/choice';
 import { h } from '../../shared/panel/dom';
 import { isOpen, watchDrawers } from '../../shared/panel/drawers';
+import { declareLack } from '../../shared/panel/reach';
 import { sidewaysNote, watchSideways } from '../../shared/panel/sideways';
 import { isHidden } from '../../shared/panel/sight';
 import { tabbed } from '../../shared/panel/tabs';
@@ -43,6 +44,7 @@ export function makeDock(store: BlockStore, looking: Looking, facts: Facts, othe
     ...others.map(({ id, title }) => [id, title] as const),
   ]);
   element.prepend(splitter(element));
+  declareLack(panels.slice(0, sources.length), () => (store.state.shown === null ? say('needs-a-block') : ''));
   const tables = sources.map((source, i) => oneTable(panels[i] ?? element, store, looking, source));
   const further = others.map((other, i) => other.make(panels[sources.length + i] ?? element));
   const draw = () => {

@@ -3,6 +3,7 @@ import { choice } from '../../shared/panel/choice';
 import { button, byId, h } from '../../shared/panel/dom';
 import { passFocus } from '../../shared/panel/focus';
 import { set, showSteps } from '../../shared/panel/history';
+import { declareLack, declarePlace } from '../../shared/panel/reach';
 import { fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
@@ -144,6 +145,15 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     { class: 'toolbar edit-bar', testid: 'block-edit-bar', role: 'toolbar', aria: { label: say('edits-by-hand') } },
     ...[undo, redo, reject, whole, restore, remove, joining, parting, measure, add, match, accept, leave, use, text],
   );
+  declareLack([reject, whole, restore, remove, joining, parting, measure, match], () =>
+    store.state.selection.chosen === null ? say('nothing-is-chosen') : '',
+  );
+  declareLack([accept, leave], () => (store.state.draft === null ? say('nothing-is-measured') : ''));
+  declarePlace([measure, add], {
+    title: say('images-2'),
+    show: () => store.dispatch({ type: 'stage', view: 'images' }),
+    can: () => isEditable(store.state) && store.state.onStage !== 'images' && store.state.draft === null,
+  });
   const counterparts = new Map<Element | null, readonly HTMLElement[]>([
     [reject, [restore]],
     [whole, [restore]],

@@ -18,14 +18,25 @@ export function mountBlockEditKeys(store: BlockStore, hosts: readonly HTMLElemen
     (by) => stepBy(store, by),
   );
   const idle = () => store.state.draft === null && isBlockSeen();
+  const lack = (kind: 'reject' | 'restore') => {
+    if (store.state.shown === null) return say('needs-a-block');
+    return editOf(store.state, kind) === null ? say(kind === 'reject' ? 'nothing-to-reject-is-chosen' : 'nothing-rejected-is-chosen') : '';
+  };
   const list: Command[] = [
     {
       keys: ['Delete', 'Backspace'],
       does: say('rejects-what-is-chosen-with'),
       can: idle,
+      lacks: () => lack('reject'),
       run: (shift) => makeEdit(store, editOf(store.state, 'reject', shift)),
     },
-    { keys: ['r'], does: say('uses-what-is-chosen-again'), can: idle, run: (shift) => makeEdit(store, editOf(store.state, 'restore', shift)) },
+    {
+      keys: ['r'],
+      does: say('uses-what-is-chosen-again'),
+      can: idle,
+      lacks: () => lack('restore'),
+      run: (shift) => makeEdit(store, editOf(store.state, 'restore', shift)),
+    },
   ];
   const edits = declare({ where: say('views-and-tables-of-a'), host: byId('block-view'), list });
   for (const host of hosts) listenKeys(host, edits);

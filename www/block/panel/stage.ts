@@ -1,6 +1,8 @@
 /** The middle of the block's page: one of its views, and what is said of what is pointed at or chosen. */
+import { beforeSearch } from '../../shared/panel/actions';
 import { button, fill, h } from '../../shared/panel/dom';
 import { drawerButton } from '../../shared/panel/drawers';
+import { declareLack, declarePlace } from '../../shared/panel/reach';
 import { zoomButtons } from '../../shared/panel/zoom';
 import type { BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
@@ -71,23 +73,39 @@ export function mountStage(
     dock,
     keys,
   );
+  const lacksBlock = () => (store.state.shown === null ? say('needs-a-block') : '');
+  declareLack([line], lacksBlock);
+  /** `isShown`: now. */
+  const make = ({ name, title, mount }: StageView, isShown: boolean) => {
+    if (mounted.has(name)) return;
+    const made = mount(store, looking);
+    mounted.set(name, made);
+    const parts = partsOf(made);
+    for (const part of parts) part.hidden = !isShown;
+    declarePlace(parts, { title, show: () => store.dispatch({ type: 'stage', view: name }) });
+    // Images are placed on an orthophoto without a block, too.
+    if (name !== 'orthophoto') declareLack(parts, lacksBlock);
+    shelf.append(made.element);
+    tools.append(...made.tools);
+    if (made.legend !== undefined) legends.append(made.legend);
+  };
   store.watch(['onStage'], ([onStage]) => {
     const wanted = views.find(({ name }) => name === onStage) ?? views[0];
     if (wanted === undefined) return;
     for (const { view, press } of buttons) press.setAttribute('aria-pressed', String(view === wanted));
-    if (!mounted.has(wanted.name)) {
-      const made = wanted.mount(store, looking);
-      mounted.set(wanted.name, made);
-      shelf.append(made.element);
-      tools.append(...made.tools);
-      if (made.legend !== undefined) legends.append(made.legend);
-    }
-    for (const [name, { element, tools: own, legend }] of mounted)
-      for (const part of [element, ...own, ...(legend === undefined ? [] : [legend])]) part.hidden = name !== wanted.name;
+    make(wanted, true);
+    for (const [name, view] of mounted) for (const part of partsOf(view)) part.hidden = name !== wanted.name;
     fill(keys, mounted.get(wanted.name)?.keys ?? '');
+  });
+  // What views that were never shown offer is found too.
+  beforeSearch(() => {
+    for (const view of views) make(view, false);
   });
   return line;
 }
+
+/** What is seen while a view is shown. */
+const partsOf = ({ element, tools, legend }: MountedView): readonly HTMLElement[] => [element, ...tools, ...(legend === undefined ? [] : [legend])];
 
 /** The line that says what is chosen, and what is pointed at. */
 function said(store: BlockStore, looking: Looking, facts: Facts): HTMLElement {

@@ -21,6 +21,9 @@ export interface Drawn {
   path: readonly [number, number][];
 }
 
+/** What lists of keys call it. */
+const WHERE: Readonly<Record<string, string>> = { map: say('map'), matrix: say('matrix'), plot: say('plots') };
+
 export abstract class Chart implements Zoomable {
   protected readonly layers: Layers<string>;
   /** Where it was moved to, and how large the canvas was; null: all of it is shown. */
@@ -38,7 +41,7 @@ export abstract class Chart implements Zoomable {
       if (view !== null && view.images.length > 0) this.paint(context, themeColours(), view, this.current(view));
     });
     onRecolour(() => this.layers.redraw());
-    const ofChoice = declare({ where: name === 'map' ? say('map') : say('matrix'), host, list: this.choiceKeys() });
+    const ofChoice = declare({ where: WHERE[name] ?? '', host, list: this.choiceKeys() });
     listen<BlockView>(host, {
       at: () => this.view(),
       focused: () => this.view(),
@@ -126,7 +129,12 @@ export abstract class Chart implements Zoomable {
     };
     return [
       { keys: ['Enter'], does: say('opens-the-chosen-pair'), can: () => pair() !== null, run: open },
-      { keys: ['Escape'], does: say('chooses-nothing'), run: () => this.looking.choose(null) },
+      {
+        keys: ['Escape'],
+        does: say('chooses-nothing'),
+        lacks: () => (this.store.state.selection.chosen === null ? say('nothing-is-chosen') : ''),
+        run: () => this.looking.choose(null),
+      },
     ];
   }
 }

@@ -1,4 +1,6 @@
 /** While a match is measured by hand: what to do next, where its points lie, and buttons for each key. */
+import { declareLack } from '../../shared/panel/reach';
+import { lackOfMatches } from '../state/choice';
 import { button, h } from '../../shared/panel/dom';
 import { fixed } from '../../shared/text/format';
 import { editOfDraft, isPredicted, placeOfDraft } from '../state/draft';
@@ -67,6 +69,8 @@ export function mountDraft(host: HTMLElement, store: Store, editing: Editing, { 
     fit,
     cancel,
   );
+  declareLack([tool], () => lackOfMatches(store.state));
+  declareLack([bar], () => (store.state.draft === null ? say('nothing-is-measured') : ''));
   host.append(tool, bar);
   store.watch(
     (s) => [s.tool, s.draft, s.results, s.history, s.images] as const,

@@ -5,7 +5,7 @@ import type { Command } from '../../shared/view/commands';
 import { listenKeys } from '../../shared/view/gestures';
 import { count, decimalsOfError, fixed } from '../../shared/text/format';
 import type { OrientedPair } from '../../shared/crate';
-import { chosenLefts, editOfChoice } from '../state/choice';
+import { chosenLefts, editOfChoice, lackOfBegun, lackOfEdit, lackOfMatches, lackOfSelected } from '../state/choice';
 import { moving } from '../state/draft';
 import { comparedEdit } from '../state/compared';
 import { editedPair } from '../state/edited';
@@ -14,6 +14,7 @@ import type { Editing } from '../state/editing';
 import { nameOfEdit } from '../state/edits';
 import { steps } from '../../shared/state/history';
 import { hasKeys, REDO_KEYS, set, showHistory, showSteps, UNDO_KEYS, undoKeys } from '../../shared/panel/history';
+import { declareLack } from '../../shared/panel/reach';
 import type { Sorting } from '../state/edits';
 import { interiorInUse } from '../state/interior';
 import { countsOf, pixelMm } from '../state/residuals';
@@ -116,6 +117,12 @@ export function mountEditTools(host: HTMLElement, bar: HTMLElement, store: Store
   const redo = button(say('redo-sign'), 'tool-redo', () => editing.step(1));
   const reject = button(say('reject'), 'tool-reject', () => editing.edit('reject'), say('take-the-chosen-matches-out'));
   const restore = button(say('restore'), 'tool-restore', () => editing.edit('restore'), say('use-the-chosen-matches-again'));
+  declareLack([choose], () => lackOfMatches(store.state));
+  for (const [made, kind] of [
+    [reject, 'reject'],
+    [restore, 'restore'],
+  ] as const)
+    declareLack([made], () => lackOfEdit(store.state, kind));
   host.append(h('span', { class: 'divider' }), choose, undo, redo);
   bar.append(reject, restore);
   store.watch(
@@ -148,11 +155,16 @@ export function mountEditKeys(list: HTMLElement, store: Store, editing: Editing,
     follow();
   };
   const keys: Command[] = [
-    { keys: ['Delete', 'Backspace'], does: say('rejects-the-chosen-matches'), run: () => editing.edit('reject') },
-    { keys: ['r'], does: say('restores-the-chosen-matches'), run: () => editing.edit('restore') },
-    { keys: ['x'], does: say('chooses-the-selected-match-beside'), run: () => editing.choose(store.state.selection) },
-    { keys: ['e'], does: say('measures-the-selected-match-anew'), run: move },
-    { keys: ['Escape'], does: say('gives-up'), run: () => void editing.leave() },
+    {
+      keys: ['Delete', 'Backspace'],
+      does: say('rejects-the-chosen-matches'),
+      lacks: () => lackOfEdit(store.state, 'reject'),
+      run: () => editing.edit('reject'),
+    },
+    { keys: ['r'], does: say('restores-the-chosen-matches'), lacks: () => lackOfEdit(store.state, 'restore'), run: () => editing.edit('restore') },
+    { keys: ['x'], does: say('chooses-the-selected-match-beside'), lacks: () => lackOfSelected(store.state), run: () => editing.choose(store.state.selection) },
+    { keys: ['e'], does: say('measures-the-selected-match-anew'), lacks: () => lackOfSelected(store.state), run: move },
+    { keys: ['Escape'], does: say('gives-up'), lacks: () => lackOfBegun(store.state), run: () => void editing.leave() },
   ];
   listenKeys(list, declare({ where: say('list-of-matches'), host: list, list: keys }));
 }

@@ -7,6 +7,7 @@ import { keyOfTarget } from './edits';
 import type { Sorting } from './edits';
 import { leftIndexOf } from './selected';
 import type { Side, State } from './state';
+import { say } from '../../shared/text/words';
 
 const NONE: readonly number[] = [];
 
@@ -41,6 +42,21 @@ export function editOfChoice(state: State, kind: 'reject' | 'restore'): Sorting 
   });
   return of.length === 0 ? null : { kind, of };
 }
+
+/** Why nothing can be done to matches; empty where there are some. */
+export const lackOfMatches = (state: State): string => (editedPair(state) === null ? say('needs-matches') : '');
+
+/** Why nothing can be done to the selected match; empty where a point is selected. */
+export const lackOfSelected = (state: State): string => (state.selection === null ? say('no-point-is-selected') : '');
+
+/** Why nothing can be given up; empty where something is begun or chosen. */
+export function lackOfBegun({ tool, draft, outline, chosen, selection }: State): string {
+  const isAtRest = tool === 'look' && draft === null && outline === null && chosen.length === 0 && selection === null;
+  return isAtRest ? say('nothing-is-chosen') : '';
+}
+
+/** Why an edit of the chosen matches would do nothing; empty where it does something. */
+export const lackOfEdit = (state: State, kind: 'reject' | 'restore'): string => (editOfChoice(state, kind) === null ? say('no-such-match-is-chosen') : '');
 
 /** The keys of the matches of left points; points without one have none. */
 export function keysOfLefts(edited: Edited, lefts: Iterable<number>): string[] {

@@ -5,7 +5,7 @@ import type { Command } from '../../shared/view/commands';
 import { listen } from '../../shared/view/gestures';
 import { toPosition } from '../../shared/view/transform';
 import type { Rect } from '../../shared/view/transform';
-import { keysWithin } from '../state/choice';
+import { keysWithin, lackOfBegun, lackOfEdit, lackOfSelected } from '../state/choice';
 import { editedPair } from '../state/edited';
 import type { Editing } from '../state/editing';
 import type { Masking } from '../state/masking';
@@ -232,13 +232,18 @@ function pictureKeys(view: View, store: Store, navigator: Navigator, editing: Ed
     { keys: ['o'], does: say('goes-to-the-other-picture'), run: () => store.dispatch({ type: 'activeSide', side: otherSide(store.state.activeSide) }) },
     { keys: ['l'], does: say('links-both-pictures-or-no'), run: () => show({ linked: !store.state.display.linked }) },
     { keys: ['m'], does: say('shows-the-magnifier-or-no'), run: () => show({ magnifier: !store.state.display.magnifier }) },
-    { keys: ['x'], does: say('chooses-the-selected-match-beside'), run: () => editing.choose(store.state.selection) },
+    { keys: ['x'], does: say('chooses-the-selected-match-beside'), lacks: () => lackOfSelected(store.state), run: () => editing.choose(store.state.selection) },
     { keys: ['s'], does: say('chooses-matches-by-rectangles'), run: () => editing.toggle('choose') },
-    { keys: ['Delete', 'Backspace'], does: say('rejects-the-chosen-matches'), run: () => editing.edit('reject') },
-    { keys: ['r'], does: say('restores-the-chosen-matches'), run: () => editing.edit('restore') },
+    {
+      keys: ['Delete', 'Backspace'],
+      does: say('rejects-the-chosen-matches'),
+      lacks: () => lackOfEdit(store.state, 'reject'),
+      run: () => editing.edit('reject'),
+    },
+    { keys: ['r'], does: say('restores-the-chosen-matches'), lacks: () => lackOfEdit(store.state, 'restore'), run: () => editing.edit('restore') },
     { keys: ['a'], does: say('adds-a-match-by-measuring'), run: measures(() => editing.toggle('measure')) },
     { keys: ['w'], does: say('outlines-areas-to-be-masked'), run: () => masking.toggle() },
-    { keys: ['e'], does: say('measures-the-selected-match-anew'), run: measures(() => editing.move()) },
-    { keys: ['Escape'], does: say('gives-up-or-selects-nothing'), run: leave },
+    { keys: ['e'], does: say('measures-the-selected-match-anew'), lacks: () => lackOfSelected(store.state), run: measures(() => editing.move()) },
+    { keys: ['Escape'], does: say('gives-up-or-selects-nothing'), lacks: () => lackOfBegun(store.state), run: leave },
   ];
 }

@@ -3,17 +3,34 @@ import { hasten } from '../engine/breath';
 import { declare, declared, keyText } from '../view/commands';
 import { MOVES } from '../view/gestures';
 import { button, fill, h } from './dom';
-import { reachable, reveal } from './reach';
+import { actions } from './offers';
+import type { Action } from './offers';
 import { say } from '../text/words';
 
-interface Action {
-  name: string;
-  /** Where it belongs, and what else it is found by. */
-  more: string;
-  keys: readonly string[];
-  run: () => void;
-  /** Its button cannot be pressed as things are. */
-  disabled?: boolean;
+/** What makes views and parts that are made late, each once. */
+const late = new Set<() => unknown>();
+
+/** `make`: makes what is found only once it is there. What it gives may take a while. */
+export function beforeSearch(make: () => unknown): void {
+  late.add(make);
+}
+
+/** Makes what is made late; `made` is called where that took a while. Gives how much is still on its way. What fails is tried again by the next search. */
+function makeLate(made: () => void): number {
+  // Settings that are still to be made are found too.
+  hasten();
+  let waits = 0;
+  for (const make of [...late]) {
+    late.delete(make);
+    const making = make();
+    if (!(making instanceof Promise)) continue;
+    waits += 1;
+    making.then(made, () => {
+      late.add(make);
+      made();
+    });
+  }
+  return waits;
 }
 
 /** `press` opens the search. */
@@ -38,118 +55,6 @@ export function mountActions(press: HTMLElement): void {
   });
 }
 
-/** What keys do in views that are seen now, what buttons do, and the settings. What a button and its keys do is one action. What cannot be done as things are comes last. */
-function actions(): Action[] {
-  const made = [...document.querySelectorAll('button')].filter(
-    (button) => button.closest('dialog, table, .control, .history, .facts') === null && !button.matches(UNNAMED) && reachable(button),
-  );
-  const ofButtons = new Set(made.flatMap(keysOfButton));
-  const commands = declared()
-    .filter(({ host, list }) => host.checkVisibility() && list.length > 0)
-    .flatMap(({ where, list }) =>
-      list
-        .filter(({ keys, can }) => can?.() !== false && !keys.some((key) => ofButtons.has(key)))
-        .map(({ keys, does, run }) => ({ name: sentenceOf(does), more: where, keys, run: () => run(false) })),
-    );
-  // Of two that do the same, one that can be pressed stands for both.
-  const all = once([...made].sort((a, b) => Number(a.disabled) - Number(b.disabled))).map((button) => ({
-    name: nameOf(button),
-    disabled: button.disabled,
-    more: [...new Set([groupOf(twinOf(button) ?? button), tabOf(button), kindOf(button), button.title])]
-      .filter((text) => text !== '' && !saysName(button, text))
-      .join(' · '),
-    keys: keysOfButton(button),
-    run: () => {
-      reveal(button);
-      button.click();
-    },
-  }));
-  const settings = [...document.querySelectorAll<HTMLLabelElement>('.control label')].filter(reachable).map((label) => ({
-    name: label.textContent,
-    more: [say('setting'), label.closest('fieldset, details')?.querySelector('legend, summary')?.firstChild?.textContent ?? '']
-      .filter((text) => text !== '')
-      .join(' · '),
-    keys: [],
-    run: () => {
-      reveal(label);
-      label.control?.focus();
-    },
-  }));
-  return [...all.filter(({ disabled }) => !disabled), ...commands, ...choices(), ...settings, ...all.filter(({ disabled }) => disabled)];
-}
-
-/** What the lists over pictures and beside exports offer, and the sliders there, which are gone to. */
-function choices(): Action[] {
-  const controls = [...document.querySelectorAll<HTMLSelectElement | HTMLInputElement>('select, input[type="range"]')].filter(
-    (control) => control.closest('dialog, table, .control') === null && reachable(control),
-  );
-  return controls.flatMap((control) => {
-    const about = control.ariaLabel ?? control.labels?.[0]?.querySelector('span')?.textContent ?? '';
-    const made = { more: groupOf(control), keys: [], disabled: control.disabled };
-    const goTo = () => {
-      reveal(control);
-      control.focus();
-    };
-    if (!(control instanceof HTMLSelectElement)) return [{ ...made, name: about, run: goTo }];
-    const others = [...control.options].filter((option) => !option.selected && !option.disabled);
-    return others.map((option) => ({
-      ...made,
-      name: say('action-about', { about, action: option.text }),
-      run: () => {
-        control.value = option.value;
-        control.dispatchEvent(new Event('change', { bubbles: true }));
-        goTo();
-      },
-    }));
-  });
-}
-
-/** Buttons that only unfold what is listed itself, or close what is open. */
-const UNNAMED = '.close, .menu-button, #export-menu';
-
-/** What a button is called; one that shows a sign alone is called by what it says of itself, one that its twin has too by what it is about. */
-function nameOf(made: HTMLButtonElement): string {
-  const label = made.getAttribute('aria-label');
-  const shown = label ?? made.textContent;
-  const own = /\p{L}|\d/u.test(shown) || made.title === '' ? shown : made.title;
-  const about = label === null && keysOfButton(made).length === 0 ? twinOf(made)?.getAttribute('aria-label') : null;
-  return about == null ? own : say('action-about', { about, action: own });
-}
-
-/** The group of a button that another group repeats, as that of the left image and that of the right one. */
-const twinOf = (made: Element) => made.closest('.twin');
-
-/** Whether a text says no more than what a button is called, and its key. */
-const saysName = (button: HTMLButtonElement, text: string) => [nameOf(button), `${nameOf(button)} (${keysOfButton(button)[0] ?? ''})`].includes(text);
-
-/** The keys that do what a button does, as commands name them; `showSteps` gives them to it. */
-const keysOfButton = (button: Element) => button.getAttribute('aria-keyshortcuts')?.replaceAll('Control', 'Ctrl').split(' ') ?? [];
-
-/** Of buttons of one name and the same keys, as those beside the pictures and in their panel, the first. */
-function once(buttons: readonly HTMLButtonElement[]): HTMLButtonElement[] {
-  const known = new Set<string>();
-  return buttons.filter((button) => {
-    const keys = keysOfButton(button);
-    const name = [nameOf(button), ...keys].join('\n');
-    const isFirst = !known.has(name);
-    if (keys.length > 0) known.add(name);
-    return isFirst;
-  });
-}
-
-/** The tab that a button lies behind: each table has the same buttons. */
-function tabOf(made: Element): string {
-  const tab = made.closest('[role="tabpanel"]')?.getAttribute('aria-labelledby');
-  return tab == null ? '' : (document.getElementById(tab)?.textContent ?? '');
-}
-
-/** A tab may be called as the drawer that it is in, which another button opens. */
-const kindOf = (made: Element) => (made.getAttribute('role') === 'tab' ? say('tab') : '');
-
-const sentenceOf = (does: string) => does.charAt(0).toUpperCase() + does.slice(1);
-
-const groupOf = (made: Element) => made.parentElement?.closest('[aria-label]')?.getAttribute('aria-label') ?? '';
-
 /** The search for actions: what is typed narrows a list, arrows go through it, Enter runs one. */
 class Search {
   readonly dialog = h('dialog', { class: 'dialog search', testid: 'search', aria: { label: say('find-an-action') } });
@@ -159,6 +64,8 @@ class Search {
   private all: readonly Action[] = [];
   private found: readonly Action[] = [];
   private active = 0;
+  /** Parts of the page that are on their way. */
+  private waits = 0;
 
   constructor(keys: () => void) {
     const close = button(say('close-2'), 'search-close', () => this.dialog.close());
@@ -190,13 +97,30 @@ class Search {
   }
 
   open(): void {
-    // Settings that are still to be made are found too.
-    hasten();
-    this.all = actions();
+    this.gather();
     this.input.value = '';
     this.dialog.showModal();
     this.narrow();
     this.input.focus();
+  }
+
+  private gather(): void {
+    this.waits += makeLate(() => {
+      this.waits -= 1;
+      this.arrived();
+    });
+    this.list.setAttribute('aria-busy', String(this.waits > 0));
+    this.all = actions();
+  }
+
+  /** More is there to be found: what is gone through stays the same. */
+  private arrived(): void {
+    if (!this.dialog.open) return;
+    const now = this.found[this.active];
+    this.gather();
+    this.narrow();
+    const again = this.found.findIndex(({ name, more }) => name === now?.name && more === now.more);
+    if (again > 0) this.mark(again);
   }
 
   private narrow(): void {
@@ -269,6 +193,7 @@ class KeyList {
   readonly dialog = h('dialog', { class: 'dialog', testid: 'keys-dialog', aria: { labelledby: 'keys-heading' } });
 
   open(): void {
+    makeLate(() => undefined);
     const own: Listed[] = declared().map(({ where, host, list }) => ({ where, seen: host.checkVisibility(), list }));
     const all = [...own.filter(({ seen }) => seen), { where: say('every-picture'), seen: true, list: MOVES }, ...own.filter(({ seen }) => !seen)];
     const names = [...new Set(all.map(({ where }) => where))];

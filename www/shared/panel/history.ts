@@ -3,6 +3,7 @@ import { inSight, steps } from '../state/history';
 import type { History } from '../state/history';
 import { declare } from '../view/commands';
 import { button, fill, h } from './dom';
+import { declareLack } from './reach';
 import { say } from '../text/words';
 
 export const UNDO_KEYS = ['Ctrl+Z'] as const;
@@ -31,6 +32,8 @@ export function showSteps<E>(undo: HTMLButtonElement, redo: HTMLButtonElement, h
     made.setAttribute('aria-label', name);
     made.hidden = history.edits.length === 0;
   }
+  declareLack([undo], () => (names.undo === null ? say('no-edit-to-undo') : ''));
+  declareLack([redo], () => (names.redo === null ? say('no-edit-to-redo') : ''));
   undo.disabled = names.undo === null;
   redo.disabled = names.redo === null;
 }

@@ -2,6 +2,7 @@
 import type { Mode, Modes } from '../state/mode';
 import { say } from '../text/words';
 import { button, h } from './dom';
+import { declarePlace } from './reach';
 
 const MODES: readonly (readonly [Mode, string])[] = [
   ['pair', say('pair')],
@@ -27,6 +28,7 @@ export function modeSwitch(modes: Modes, show: (mode: Mode) => void): HTMLElemen
 
 /** Shows elements in one mode alone. */
 export function showIn(modes: Modes, mode: Mode, elements: readonly HTMLElement[]): void {
+  declarePlace(elements, { title: say(mode), show: () => modes.dispatch(mode) });
   modes.watch(['mode'], ([now]) => {
     for (const element of elements) element.hidden = now !== mode;
   });

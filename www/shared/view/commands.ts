@@ -6,6 +6,8 @@ export interface Command {
   run: (shift: boolean) => void;
   /** Whether it can be run now; always where it is left out. */
   can?: () => boolean;
+  /** What it would do nothing without, as something that is chosen; empty where that is there. */
+  lacks?: () => string;
 }
 
 export interface Commands {

@@ -29,6 +29,7 @@ const COARSE = 1;
 export function measuringKeys(view: Commanded): Command[] {
   const { measuring } = view;
   const drafts = () => measuring.draft !== null;
+  const lacksPoint = () => (drafts() || view.seen.store.state.selection.chosen !== null ? '' : say('no-point-is-chosen'));
   const shown = (act: (shift: boolean) => void) => (shift: boolean) => {
     act(shift);
     view.opening.showDraft();
@@ -53,9 +54,9 @@ export function measuringKeys(view: Commanded): Command[] {
     void measuring.settle(pane, toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2));
   };
   return [
-    { keys: ['e'], does: say('measures-the-chosen-point'), run: shown(() => measuring.toggle(false)) },
+    { keys: ['e'], does: say('measures-the-chosen-point'), lacks: lacksPoint, run: shown(() => measuring.toggle(false)) },
     { keys: ['a'], does: say('measures-a-new-tie-point'), run: shown(() => measuring.toggle(true)) },
-    { keys: ['f'], does: say('matches-the-point-in-the'), run: shown(() => view.match()) },
+    { keys: ['f'], does: say('matches-the-point-in-the'), lacks: lacksPoint, run: shown(() => view.match()) },
     { keys: ['Escape'], does: say('gives-up-measuring'), can: places, run: shown(() => measuring.leave()) },
     { keys: ['Enter'], does: say('takes-the-middle-of-the'), can: places, run: inPane(settle) },
     ...Object.entries(ARROWS).map(nudge),
@@ -84,6 +85,11 @@ export function looking(view: Commanded): Command[] {
       does: say('shows-images-in-which-the'),
       run: () => store.dispatch({ type: 'look', look: { unmeasured: !look().unmeasured } }),
     },
-    { keys: ['Escape'], does: say('chooses-nothing'), run: () => store.dispatch({ type: 'choose', choice: null }) },
+    {
+      keys: ['Escape'],
+      does: say('chooses-nothing'),
+      lacks: () => (store.state.selection.chosen === null ? say('nothing-is-chosen') : ''),
+      run: () => store.dispatch({ type: 'choose', choice: null }),
+    },
   ];
 }

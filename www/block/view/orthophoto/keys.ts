@@ -32,7 +32,7 @@ export function blockKeys(store: BlockStore, { step, leave }: BlockSteps): Comma
     { keys: ['p'], does: say('chooses-the-previous-place-of'), can, run: () => step('place', -1) },
     { keys: ['PageDown'], does: say('chooses-the-next-image'), can, run: () => step('image', 1) },
     { keys: ['PageUp'], does: say('chooses-the-previous-image'), can, run: () => step('image', -1) },
-    { keys: ['Escape'], does: say('chooses-nothing'), can, run: leave },
+    { keys: ['Escape'], does: say('chooses-nothing'), can, lacks: () => (store.state.selection.chosen === null ? say('nothing-is-chosen') : ''), run: leave },
   ];
 }
 
@@ -59,6 +59,7 @@ export function linkKeys(store: BlockStore, hands: LinkHands): Command[] {
     else if (picks) store.dispatch({ type: 'picksPlace', picks: false });
     else store.dispatch({ type: 'choosePlaced', looked: chosen.link === null ? NOTHING_LOOKED_AT : { image: chosen.image, link: null } });
   };
+  const isAtWork = () => now().draft !== null || now().picks || now().chosen.image !== null;
   const hasLinks = () => links() > 0;
   const hasImages = () => tried().length > 0;
   return [
@@ -70,7 +71,7 @@ export function linkKeys(store: BlockStore, hands: LinkHands): Command[] {
     { keys: ['r'], does: say('uses-the-chosen-link-again'), can: isLinkChosen, run: () => hands.use('restore') },
     { keys: ['a'], does: say('measures-a-new-link-or'), can: isImageChosen, run: () => hands.measure() },
     { keys: ['Enter'], does: say('accepts-the-link-that-is'), can: () => now().draft !== null, run: () => hands.accept() },
-    { keys: ['Escape'], does: say('gives-up-or-chooses-nothing'), run: leave },
+    { keys: ['Escape'], does: say('gives-up-or-chooses-nothing'), lacks: () => (isAtWork() ? '' : say('nothing-is-chosen')), run: leave },
   ];
 }
 

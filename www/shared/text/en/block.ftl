@@ -257,6 +257,10 @@ of-so-many-check-points = {" "}({ COUNT($points) } → { COUNT($points_2) } { $p
     })
 images-oriented = { COUNT($oriented) } → { COUNT($oriented_2) } images oriented
 rejects-what-is-chosen-with = rejects what is chosen; with Shift its whole point
+nothing-to-reject-is-chosen = nothing is chosen that can be rejected
+nothing-rejected-is-chosen = nothing rejected is chosen
+needs-a-block = needs a finished block
+no-point-is-chosen = no point is chosen
 uses-what-is-chosen-again = uses what is chosen again
 views-and-tables-of-a = Views and tables of a block
 choose-an-image-a-tie = Choose an image, a pair of images, a tie point or its observation in table, map or images, and press Delete to reject it. In Images, E measures the chosen point and A adds a new one. The block is adjusted again after each edit; undo has no limit.
