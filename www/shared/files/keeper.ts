@@ -284,6 +284,7 @@ export class Keeper {
       this.keeping.dispatch({ project: id, name: row.name, trouble: claim === null ? trouble('reading') : unwritten });
       rememberProject(id);
       for (const show of shows) show();
+      this.written.shown();
       this.mode.show(row.mode);
     };
   }

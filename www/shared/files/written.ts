@@ -36,6 +36,11 @@ export class Written {
     this.parts = new Map(parts);
   }
 
+  /** What was read is shown, as objects of the page's own: these stand in the storage as long as they are not changed. */
+  shown(): void {
+    for (const [part, { value }] of this.present()) if (this.parts.has(part)) this.parts.set(part, value);
+  }
+
   /** Of a project that is no longer in the storage: all of it is to be written. */
   gone(): void {
     this.begin();
@@ -63,9 +68,14 @@ export class Written {
     for (const gone of parts) this.parts.delete(gone);
   }
 
+  /** All parts of the project on the page. */
+  private present(): Map<string, Kept> {
+    return new Map(this.keepables.flatMap((keepable) => [...keepable.parts()]));
+  }
+
   /** What is other than in the storage. */
   changes(): { put: Map<string, Kept>; drop: string[] } {
-    const parts = new Map(this.keepables.flatMap((keepable) => [...keepable.parts()]));
+    const parts = this.present();
     const put = new Map([...parts].filter(([part, { value }]) => !this.parts.has(part) || this.parts.get(part) !== value));
     return { put, drop: [...this.parts.keys()].filter((part) => !parts.has(part)) };
   }
