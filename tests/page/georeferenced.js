@@ -3,10 +3,13 @@
 import assert from 'node:assert/strict';
 import { BlockScene, geographic_positions, grey_png, OrthophotoReference, system_coordinates } from '../../pkg/node.js';
 
+/** The code of longitudes and latitudes of WGS 84. */
+const DEGREES = 4326;
+
 /** @typedef {[number, number, number, number, number, number]} Affine columns and rows become (a c + b r + x, d c + e r + y): a, b, x, d, e, y */
 
 /**
- * GeoTIFF of a projected system, red where the ground is bright and blue where it is dark, and the same picture in grey as PNG with its world file.
+ * GeoTIFF of a projected system, or in degrees, red where the ground is bright and blue where it is dark, and the same picture in grey as PNG with its world file.
  * @param {Uint8Array} picture the orthophoto in the system of its flight @param {number} epsg
  * @param {{ longitude_deg: number, latitude_deg: number, height_m: number }} origin of the flight @param {number} ground height of the ground in the flight
  */
@@ -36,7 +39,7 @@ export function georeferenced(picture, epsg, origin, ground) {
   const affine = [part(right, 0, width), part(below, 0, height), at[0] ?? NaN, part(right, 1, width), part(below, 1, height), at[1] ?? NaN];
   const [a, b, x, d, e, y] = affine;
   // World files name the middle of the first pixel.
-  const world = [a, d, b, e, x + (a + b) / 2, y + (d + e) / 2].map((value) => value.toFixed(9)).join('\n');
+  const world = [a, d, b, e, x + (a + b) / 2, y + (d + e) / 2].map((value) => value.toFixed(12)).join('\n');
   const colours = new Uint8Array(3 * grey.length);
   for (const [k, value] of grey.entries()) colours.set(value === 0 ? [0, 0, 0] : [value, value >> 1, 256 - value], 3 * k);
   return { tif: geotiff(width, height, colours, affine, epsg), png: grey_png(width, height, grey), world, affine, georeference };
@@ -46,8 +49,9 @@ export function georeferenced(picture, epsg, origin, ground) {
 function geotiff(width, height, colours, [a, b, x, d, e, y], epsg) {
   const [SHORT, LONG, DOUBLE] = [3, 4, 12];
   const matrix = [a, b, 0, x, d, e, 0, y, 0, 0, 0, 0, 0, 0, 0, 1];
-  // Projected, pixels are areas, and the code.
-  const keys = [1, 1, 0, 3, 1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, epsg];
+  // Projected or in degrees, pixels are areas, and the code.
+  const [kind, system] = epsg === DEGREES ? [2, 2048] : [1, 3072];
+  const keys = [1, 1, 0, 3, 1024, 0, 1, kind, 1025, 0, 1, 1, system, 0, 1, epsg];
   const bits = [8, 8, 8];
   const values = 8 + colours.length + (colours.length % 2);
   const afterKeys = values + 128 + 2 * keys.length;

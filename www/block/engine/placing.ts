@@ -307,7 +307,8 @@ function groundOf(raster: RasterFile, heights: GivenHeights): Ground {
   return { picture: sourceOf(raster), heights: own, keys: { picture: String(raster.id), heights: name } };
 }
 
-function sourceOf({ file, world, projection }: RasterFile): Ground['picture'] {
+function sourceOf({ file, world, projection, degrees = null }: RasterFile): Ground['picture'] {
+  if (degrees !== null) return { file, sidecars: { world_file: degrees.world, projection: degrees.shownIn } };
   return { file, sidecars: { world_file: world?.text ?? null, projection: projection?.text ?? null } };
 }
 

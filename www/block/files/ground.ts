@@ -5,7 +5,10 @@ import { fixed, sentence } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { PlacingEngine } from '../engine/placing';
 import { stemOf } from '../state/film';
+import { NEAR_PX } from '../state/cells';
 import { levelByBlock } from '../state/level';
+import { projectedOf } from './degrees';
+import { isLookedAtAlone } from '../state/placing';
 import type { GivenHeights, GivenOrthophoto, RasterFile } from '../state/placing';
 import { unitOfOrthophoto } from '../state/orthophoto-unit';
 import type { LengthUnit } from '../state/orthophoto-unit';
@@ -55,7 +58,7 @@ export class GroundFiles {
     const { file } = found;
     this.tell('busy', say('reading-the-orthophoto', { name: file.name }));
     try {
-      const orthophoto = await this.engine.open(await rasterOf(found));
+      const orthophoto = await this.opened(await rasterOf(found));
       here();
       this.store.dispatch({ type: 'orthophoto', orthophoto });
       this.store.dispatch({ type: 'stage', view: 'orthophoto' });
@@ -65,6 +68,20 @@ export class GroundFiles {
       here();
       this.refused(say('cannot-be-used-as-an', { name: file.name }), error);
       return null;
+    }
+  }
+
+  /** One in degrees can be looked at. */
+  private async opened(raster: RasterFile): Promise<GivenOrthophoto> {
+    try {
+      return await this.engine.open(raster);
+    } catch (error) {
+      const projected = error instanceof Cancelled ? null : await projectedOf(raster);
+      if (projected === null) throw error;
+      return await this.engine.open(projected).catch((other: unknown) => {
+        // What was wrong first is said.
+        throw other instanceof Cancelled ? other : error;
+      });
     }
   }
 
@@ -169,9 +186,16 @@ export function orthophotoText(orthophoto: GivenOrthophoto): string {
     width,
     height,
     gsd: gsdText(gsd, unitOfOrthophoto(orthophoto)),
-    what: epsg === null ? '' : say('epsg', { epsg }),
+    what: epsg === null || isLookedAtAlone(orthophoto) ? '' : say('epsg', { epsg }),
     by: by + system,
+    degrees: degreesText(raster),
   });
+}
+
+function degreesText({ degrees = null }: RasterFile): string {
+  if (degrees === null) return '';
+  const { crs, shownIn, departs } = degrees;
+  return say('an-orthophoto-in-degrees', { crs, shown: shownIn, departs: departs > NEAR_PX ? departs : null });
 }
 
 /** The side of a pixel with the digits that say something. */

@@ -1,12 +1,12 @@
 /** Keeps what was given to place images on an orthophoto and what came of it, and reads it again. */
-import type { OrthophotoInfo } from '../../../pkg/wasm/tiepoint.js';
+import type { Georeference, OrthophotoInfo } from '../../../pkg/wasm/tiepoint.js';
 import { fitted, likeOf, listOf, nameOf, objectOf, orNull } from '../../shared/files/keepable';
 import type { KeptFile, KeptPlacing, KeptRaster } from '../state/kept';
 import type { TextFile } from '../state/file';
 import { NO_FILM } from '../state/film';
 import type { GivenFilm } from '../state/film';
 import { NO_PLACING } from '../state/placing';
-import type { GivenHeights, GivenOrthophoto, Placed, Placing, Purpose, RasterFile } from '../state/placing';
+import type { GivenHeights, GivenOrthophoto, InDegrees, Placed, Placing, Purpose, RasterFile } from '../state/placing';
 import type { BlockCatalogue, BlockFile } from '../state/state';
 
 const PURPOSES: readonly Purpose[] = ['block', 'images', 'map'];
@@ -37,8 +37,8 @@ export function keptPlacing(
   };
 }
 
-function keptRaster({ id, name, file, world, projection }: RasterFile): KeptRaster {
-  return { id, name, file: nameOf(file), world, projection };
+function keptRaster({ id, name, file, world, projection, degrees = null }: RasterFile): KeptRaster {
+  return { id, name, file: nameOf(file), world, projection, degrees };
 }
 
 /** About how much room what came of an image takes, in bytes. */
@@ -58,12 +58,13 @@ export function placingFrom(
   if (given === undefined) return none;
   const kept = objectOf(given, 'placing');
   const raster = (value: unknown, name: string): RasterFile => {
-    const { world, projection } = objectOf(value, name);
+    const { world, projection, degrees } = objectOf(value, name);
     return {
       ...open(readFile(value, name)),
       world: orNull(world, (text) => textFrom(text, `${name}.world`)),
       // Earlier releases kept none.
       projection: orNull(projection ?? null, (text) => textFrom(text, `${name}.projection`)),
+      degrees: orNull(degrees ?? null, (own) => degreesFrom(own, `${name}.degrees`)),
     };
   };
   const orthophoto = orNull(kept.orthophoto, (value): GivenOrthophoto => {
@@ -99,6 +100,17 @@ function filmFrom(given: unknown): GivenFilm {
 function textFrom(given: unknown, name: string): TextFile {
   const { name: called, text } = objectOf(given, name);
   return { name: likeOf(called, '', `${name}.name`), text: likeOf(text, '', `${name}.text`) };
+}
+
+function degreesFrom(given: unknown, name: string): InDegrees {
+  const { crs, georeference, shownIn, world, departs } = objectOf(given, name);
+  return {
+    crs: likeOf(crs, '', `${name}.crs`),
+    georeference: objectOf(georeference, `${name}.georeference`) as unknown as Georeference,
+    shownIn: likeOf(shownIn, '', `${name}.shownIn`),
+    world: likeOf(world, '', `${name}.world`),
+    departs: likeOf(departs, 0, `${name}.departs`),
+  };
 }
 
 /** Defaults are the catalogue's own, by which they are known. */

@@ -1,5 +1,6 @@
 /** What a file of pixels is, told by its content: an orthophoto, the heights of its ground, or a photograph. */
 import type { FoundFile } from '../../shared/files/drop';
+import { GEO_KEYS, GEOGRAPHIC, geoKeys, MODEL_TYPE, SCALE, SHORT, tiffDirectory, TIES, TRANSFORMATION } from '../../shared/files/tiff-directory';
 
 /** An orthophoto or heights, with the world file that says where it lies, and the file that says in which system. */
 export interface FoundRaster {
@@ -79,59 +80,34 @@ async function kindOf(file: File, hasWorld: boolean): Promise<Kind> {
   return hasWorld && (file.type.startsWith('image/') || PICTURE.test(file.name)) ? 'orthophoto' : 'photograph';
 }
 
-/** Of TIFF 6.0 and OGC 19-008r4. */
-const [BITS, SAMPLES, FORMAT, SCALE, TIES, TRANSFORMATION, KEYS] = [258, 277, 339, 33550, 33922, 34264, 34735];
+/** Of TIFF 6.0. */
+const [BITS, SAMPLES, FORMAT] = [258, 277, 339];
 const UNSIGNED = 1;
-/** The key that says of which kind a system is, which stands among the tags here: no tag has its number. */
-const MODEL_TYPE = 1024;
-const GEOGRAPHIC = 2;
 
 /** Numbers below 0 or with decimals are heights; so is one band of more than 16 bits. */
 export function kindOfTiff(tags: ReadonlyMap<number, number>, hasWorld: boolean): Kind {
-  const isPlaced = hasWorld || tags.has(TRANSFORMATION) || (tags.has(SCALE) && tags.has(TIES)) || tags.has(KEYS);
+  const isPlaced = hasWorld || tags.has(TRANSFORMATION) || (tags.has(SCALE) && tags.has(TIES)) || tags.has(GEO_KEYS);
   const isOne = (tags.get(SAMPLES) ?? 1) === 1;
   if (isOne && isPlaced && ((tags.get(FORMAT) ?? UNSIGNED) !== UNSIGNED || (tags.get(BITS) ?? 1) > 16))
     return tags.get(MODEL_TYPE) === GEOGRAPHIC ? 'degrees' : 'heights';
   return isPlaced ? 'orthophoto' : 'photograph';
 }
 
-/** A directory has no more entries than these; what says more is damaged. */
-const MOST_ENTRIES = 4096;
+/** So many values of a tag are no table. */
+const FEW = 64;
 
-/** The tags of the first image of a TIFF or BigTIFF with their first values, where these stand in the directory itself (0 elsewhere); none where it is damaged. */
+/**
+ * The tags of the first image of a TIFF or BigTIFF with their first values, where these are short numbers (0 elsewhere), and among them the key that says of which
+ * kind its system is: no tag has its number. None where it is damaged.
+ */
 async function tiffTags(file: Blob): Promise<ReadonlyMap<number, number>> {
-  const read = async (from: number, length: number) => new DataView(await file.slice(from, from + length).arrayBuffer());
   const tags = new Map<number, number>();
+  const directory = await tiffDirectory(file);
+  if (directory === null) return tags;
   try {
-    const head = await read(0, 16);
-    const little = head.getUint16(0) === 0x4949;
-    const isBig = head.getUint16(2, little) === 43;
-    const at = isBig ? Number(head.getBigUint64(8, little)) : head.getUint32(4, little);
-    const [before, each] = isBig ? [8, 20] : [2, 12];
-    const start = await read(at, before);
-    const entries = Math.min(MOST_ENTRIES, isBig ? Number(start.getBigUint64(0, little)) : start.getUint16(0, little));
-    const directory = await read(at + before, entries * each);
-    for (let entry = 0; entry < entries; entry++) {
-      const from = entry * each;
-      const values = isBig ? Number(directory.getBigUint64(from + 4, little)) : directory.getUint32(from + 4, little);
-      const isShort = directory.getUint16(from + 2, little) === 3 && values <= (isBig ? 4 : 2);
-      if (directory.getUint16(from, little) === KEYS) await keys(from, values);
-      tags.set(directory.getUint16(from, little), isShort ? directory.getUint16(from + (isBig ? 12 : 8), little) : await first(from, values));
-    }
-    /** Each key has four numbers: itself, where its value stands, how many there are, and the value. */
-    async function keys(from: number, values: number): Promise<void> {
-      const offset = isBig ? Number(directory.getBigUint64(from + 12, little)) : directory.getUint32(from + 8, little);
-      const all = await read(offset, 2 * Math.min(values, 4 * MOST_ENTRIES));
-      for (let at = 8; at + 8 <= all.byteLength; at += 8)
-        if (all.getUint16(at, little) === MODEL_TYPE && all.getUint16(at + 2, little) === 0) tags.set(MODEL_TYPE, all.getUint16(at + 6, little));
-    }
-    /** Three bands say their bits elsewhere. */
-    async function first(from: number, values: number): Promise<number> {
-      const isFar = directory.getUint16(from + 2, little) === 3 && values < 64;
-      if (!isFar) return 0;
-      const offset = isBig ? Number(directory.getBigUint64(from + 12, little)) : directory.getUint32(from + 8, little);
-      return (await read(offset, 2)).getUint16(0, little);
-    }
+    for (const { tag, type, count, values } of directory.entries) tags.set(tag, type === SHORT && count < FEW ? ((await values(1))[0] ?? 0) : 0);
+    const kind = (await geoKeys(directory)).get(MODEL_TYPE);
+    if (kind !== undefined) tags.set(MODEL_TYPE, kind);
   } catch {
     // The crate says what is wrong with it.
   }

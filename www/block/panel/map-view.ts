@@ -9,7 +9,9 @@ import type { Facts } from '../engine/facts';
 import type { PlacingEngine } from '../engine/placing';
 import { medianGsd, systemOf } from '../state/ground';
 import type { System } from '../state/ground';
-import { whyNotLaid } from '../state/laid';
+import { NEAR_PX } from '../state/cells';
+import { placeUnder, whyNotLaid } from '../state/laid';
+import { isLookedAtAlone } from '../state/placing';
 import { resultSystem } from '../state/result-system';
 import { isInSystemOf } from '../state/showing';
 import { imagesOfBlock, isBusy } from '../state/state';
@@ -47,6 +49,9 @@ const COLOURINGS: readonly (readonly [Colouring, string])[] = [
 ];
 
 const KEYS = say('press-an-image-a-point');
+
+/** They say as much as centimetres. */
+const DIGITS_OF_DEGREES = 7;
 
 export function mapView(facts: Facts, placing: PlacingEngine, mosaic: () => void): StageView {
   return {
@@ -158,7 +163,10 @@ function orthophotoNote(map: BlockMap, view: BlockView): string {
     const why = whyNotLaid(orthophoto, view);
     return why === '' ? say('the-orthophoto-is-in-another') : why;
   }
-  if (map.shows.orthophoto && laid.crs !== null) return say('orthophoto-laid-under-by-positions', { crs: laid.crs });
+  if (map.shows.orthophoto && laid.crs !== null) {
+    const { departs } = laid.sheet;
+    return say('orthophoto-laid-under-by-positions', { crs: laid.crs, departs: departs > NEAR_PX ? departs : null });
+  }
   if (!map.shows.orthophoto || laid.images === 0) return '';
   return say('orthophoto-laid-under-by-placed', { images: laid.images });
 }
@@ -178,8 +186,8 @@ function placeText(map: BlockMap, view: BlockView | null): string {
   const own = `${system === 'geographic' ? 'E' : 'X'} ${fixed(place[0], 2)}${unit}  ${system === 'geographic' ? 'N' : 'Y'} ${fixed(place[1], 2)}${unit}`;
   const laid = map.laid();
   if (laid === null || laid.crs === null) return own;
-  const [x, y] = mapped(inverse(laid.toBlock), place[0], place[1]);
-  return `${own}  ${laid.crs} ${fixed(x, 2)} ${fixed(y, 2)}`;
+  const [x, y] = placeUnder(laid, view, place).map((value) => fixed(value, isLookedAtAlone(map.orthophoto) ? DIGITS_OF_DEGREES : 2));
+  return `${own}  ${laid.crs} ${x ?? ''} ${y ?? ''}`;
 }
 
 /** The map for those who do not see it. */

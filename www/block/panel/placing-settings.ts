@@ -10,6 +10,7 @@ import { filmFields } from './film-settings';
 import type { BlockFiles } from '../files/files';
 import { orthophotoText } from '../files/ground';
 import { unitOfOrthophoto } from '../state/orthophoto-unit';
+import { isLookedAtAlone } from '../state/placing';
 import type { Placing, Purpose } from '../state/placing';
 import { purposeOf } from '../state/purpose';
 import { isBusy } from '../state/state';
@@ -107,7 +108,7 @@ function purposeField(store: BlockStore): HTMLElement {
     if (purpose !== undefined) store.dispatch({ type: 'purpose', purpose });
   });
   store.watch(['placing', 'files', 'shown', 'running', 'notice'], ([{ orthophoto }]) => {
-    select.disabled = orthophoto === null || orthophoto.ofBlock !== null || isBusy(store.state);
+    select.disabled = orthophoto === null || isLookedAtAlone(orthophoto) || orthophoto.ofBlock !== null || isBusy(store.state);
     select.value = purposeOf(store.state) ?? '';
   });
   return h('div', { class: 'control compact' }, h('label', { for: select.id }, say('what-is-done-with-it')), select);

@@ -4,16 +4,14 @@ import { remember } from '../../shared/state/remember';
 import { messageOf } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
 import type { GivenOrthophoto } from './placing';
-import { affineOf, inverse, mapped, scaleOf, similarity } from './under';
-import type { Affine } from './under';
+import { affine, affineOf, departure, inverse, mapped, scaleOf } from './under';
+import type { Affine, Place } from './under';
 import type { BlockView } from './view';
 
-/** What leads from one to the other, or why nothing does. */
-export type Between = { kind: 'similar'; toOrthophoto: Affine; crs: string } | { kind: 'problem'; text: string };
+/** What leads from one to the other, and whether that is as near as what is measured in one of both needs it in the other; or why nothing does. */
+export type Between = { kind: 'affine'; toOrthophoto: Affine; crs: string; isNear: boolean } | { kind: 'problem'; text: string };
 
-type Place = readonly [number, number];
-
-/** A similarity may be wrong by so many pixels of the orthophoto, or by this share of the block, which is a pixel of a screen that shows all of it. */
+/** An affine map may be wrong by so many pixels of the orthophoto, or by this share of the block, which is a pixel of a screen that shows all of it. */
 const MOST_PIXELS = 3;
 const MOST_SHARE = 0.001;
 
@@ -30,7 +28,7 @@ function crsOf({ epsg, described }: GivenOrthophoto['info'], chosen: string | nu
   return (described ?? null) === null ? chosen : null;
 }
 
-/** A similarity by places all over the block, on its ground; null where one of both does not say where it lies on the earth. */
+/** An affine map by places all over the block, on its ground; null where one of both does not say where it lies on the earth. */
 export const betweenSystems = remember((orthophoto: GivenOrthophoto, view: BlockView): Between | null => {
   const { origin } = view;
   const crs = crsOf(orthophoto.info, view.crs);
@@ -48,33 +46,31 @@ export const betweenSystems = remember((orthophoto: GivenOrthophoto, view: Block
   }
 });
 
-/** The similarity of places in both systems, unless it is wrong by too much, or the block lies elsewhere. */
+/** The affine map of places in both systems, unless the block lies elsewhere. */
 function judged({ info }: GivenOrthophoto, crs: string, from: readonly Place[], to: readonly Place[]): Between {
-  const toOrthophoto = similarity(from, to);
-  // A place outside the system is no number, and leads to no similarity.
+  const isInside = to.every(([x, y]) => Number.isFinite(x + y));
+  const toOrthophoto = isInside ? affine(from, to) : null;
   if (toOrthophoto === null) return { kind: 'problem', text: say('the-block-is-outside-the-system', { crs }) };
-  const apart = from.map(([x, y], i) => {
-    const [u, v] = mapped(toOrthophoto, x, y);
-    return Math.hypot(u - (to[i]?.[0] ?? NaN), v - (to[i]?.[1] ?? NaN));
-  });
   // The unit of the system may be degrees or feet, that of the block is m.
   const unitsPerMetre = scaleOf(toOrthophoto);
-  const most = Math.max(...apart) / unitsPerMetre;
+  const most = departure(toOrthophoto, from, to) / unitsPerMetre;
   const limit = Math.max((MOST_PIXELS * info.gsd) / unitsPerMetre, MOST_SHARE * Math.hypot(span(from, 0), span(from, 1)));
-  if (most > limit) return { kind: 'problem', text: say('the-systems-are-not-similar', { crs, most, limit }) };
   const toPixels = inverse(affineOf(info.georeference));
   const pixels = to.map(([x, y]): Place => mapped(toPixels, x, y));
   const meets = ([0, 1] as const).every((axis) => {
     const own = pixels.map((place) => place[axis]);
     return Math.max(...own) >= 0 && Math.min(...own) <= (axis === 0 ? info.width : info.height);
   });
-  return meets ? { kind: 'similar', toOrthophoto, crs } : { kind: 'problem', text: say('the-orthophoto-lies-elsewhere', { crs }) };
+  return meets ? { kind: 'affine', toOrthophoto, crs, isNear: most <= limit } : { kind: 'problem', text: say('the-orthophoto-lies-elsewhere', { crs }) };
 }
 
 function span(places: readonly Place[], axis: 0 | 1): number {
   const own = places.map((place) => place[axis]);
   return Math.max(...own) - Math.min(...own);
 }
+
+/** How high the ground of a block lies in its own system: the median of its tie points. */
+export const groundOf = remember((view: BlockView): number => placesOf(view)?.height ?? 0);
 
 /** Three by three places over all that images and most points take, and the height of the ground; null where the block has no places. */
 function placesOf({ images, points }: BlockView): { from: Place[]; height: number } | null {

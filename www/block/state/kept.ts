@@ -10,7 +10,7 @@ import { areDefault } from './of-file';
 export type KeptFile = Omit<BlockFile, 'file'> & { file: string };
 
 /** A picture of the ground, or its heights. */
-export type KeptRaster = KeptFile & Pick<RasterFile, 'world' | 'projection'>;
+export type KeptRaster = KeptFile & Pick<RasterFile, 'world' | 'projection' | 'degrees'>;
 
 /** What was given to place images on an orthophoto. */
 export interface KeptPlacing {

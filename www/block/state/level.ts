@@ -29,7 +29,7 @@ function heightOf(orthophoto: GivenOrthophoto, { key, view }: Shown): number | n
   const [x, y, z] = [0, 1, 2].map((axis) => medianOf(view, axis));
   if (x === undefined || y === undefined || z === undefined) return null;
   const between = betweenSystems(orthophoto, view);
-  if (between?.kind === 'similar') {
+  if (between?.kind === 'affine') {
     const [, , low = NaN, , , high = NaN] = inSystem(view, between.crs, Float64Array.of(x, y, z, x, y, z + APART_M));
     const metres = low / ((high - low) / APART_M);
     return unitOfOrthophoto(orthophoto) === 'ft' ? metres / FOOT_M : metres;

@@ -1,5 +1,5 @@
 /** Images on an orthophoto: what was given for them, what came of it, and what of it is looked at. */
-import type { BlockPlaces, LinkUse, OrthophotoInfo, PlacingOptions, PlacingVerdict } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockPlaces, Georeference, LinkUse, OrthophotoInfo, PlacingOptions, PlacingVerdict } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockFile, TextFile } from './file';
 import { NO_FILM } from './film';
 import type { GivenFilm } from './film';
@@ -10,6 +10,25 @@ import type { LinkedImage } from './links';
 export interface RasterFile extends BlockFile {
   world: TextFile | null;
   projection: TextFile | null;
+  /** Absent of one in a projected system, and of earlier releases. */
+  degrees?: InDegrees | null;
+}
+
+/** That a picture lies at longitudes and latitudes: it is looked at in a projected system, into which an affine map leads from its pixels, and nothing is matched with it. */
+export interface InDegrees {
+  crs: string;
+  /** From its pixels to degrees. */
+  georeference: Georeference;
+  /** The projected system, and the world file that places it there. */
+  shownIn: string;
+  world: string;
+  /** How far that is off at most, px. */
+  departs: number;
+}
+
+/** Whether an orthophoto is looked at alone. */
+export function isLookedAtAlone(orthophoto: GivenOrthophoto | null): boolean {
+  return (orthophoto?.raster.degrees ?? null) !== null;
 }
 
 /** `by`: who said the height of level ground; absent where nobody did, and of earlier releases. */

@@ -1,4 +1,5 @@
 /** What is done with the orthophoto that is given, and whether it is done. */
+import { isLookedAtAlone } from './placing';
 import type { Purpose } from './placing';
 import { placingKey } from './placed';
 import { isOutdated } from './state';
@@ -24,7 +25,9 @@ export function isHeldByHand({ shown }: Pick<BlockState, 'shown'>): boolean {
 /** What is done with the orthophoto; null where none is given, or the user is to say it. */
 export function purposeOf({ placing, shown, files }: Given): Purpose | null {
   const { orthophoto, purpose, placed, heights } = placing;
-  if (orthophoto === null || purpose !== null) return orthophoto === null ? null : purpose;
+  if (orthophoto === null) return null;
+  if (isLookedAtAlone(orthophoto)) return 'map';
+  if (purpose !== null) return purpose;
   // One that was made of a block lies under it, and places other images.
   if (orthophoto.ofBlock !== null || placed.size > 0) return 'images';
   const block = orientedBlock({ shown });

@@ -31,7 +31,7 @@ export function isInSystemOf({ orthophoto }: BlockView): boolean {
 export function toSystemOf(orthophoto: GivenOrthophoto, view: BlockView): Affine | null {
   if (view.orthophoto?.inCrs !== true) return SAME;
   const between = betweenSystems(orthophoto, view);
-  return between?.kind === 'similar' ? between.toOrthophoto : null;
+  return between?.kind === 'affine' && between.isNear ? between.toOrthophoto : null;
 }
 
 /** Whether a control or check point of the block lies on an orthophoto: one of elsewhere may be given in its place. */

@@ -45,7 +45,7 @@ export function scaleOf({ a, b, c, d }: Affine): number {
   return Math.sqrt(Math.abs(a * d - b * c));
 }
 
-type Place = readonly [number, number];
+export type Place = readonly [number, number];
 
 /** Turn, scale and shift that bring places nearest to others of the same number; null from fewer than two, or of places that are one. */
 export function similarity(from: readonly Place[], to: readonly Place[]): Affine | null {
@@ -66,6 +66,44 @@ export function similarity(from: readonly Place[], to: readonly Place[]): Affine
   const turned = { a, b, c: -b, d: a, e: 0, f: 0 };
   const [x, y] = mapped(turned, fx, fy);
   return { ...turned, e: tx - x, f: ty - y };
+}
+
+/** The six parameters that bring places nearest to others of the same number: of places on one line those of a similarity; null where that has none either. */
+export function affine(from: readonly Place[], to: readonly Place[]): Affine | null {
+  if (from.length < 3 || from.length !== to.length) return similarity(from, to);
+  const [fx, fy] = middle(from);
+  const [tx, ty] = middle(to);
+  let [uu, uv, vv, up, vp, uq, vq] = [0, 0, 0, 0, 0, 0, 0];
+  from.forEach(([x, y], i) => {
+    const [u, v] = [x - fx, y - fy];
+    const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
+    uu += u * u;
+    uv += u * v;
+    vv += v * v;
+    up += u * p;
+    vp += v * p;
+    uq += u * q;
+    vq += v * q;
+  });
+  const determinant = uu * vv - uv * uv;
+  if (!(determinant > ON_A_LINE * uu * vv)) return similarity(from, to);
+  const [a, c] = [(vv * up - uv * vp) / determinant, (uu * vp - uv * up) / determinant];
+  const [b, d] = [(vv * uq - uv * vq) / determinant, (uu * vq - uv * uq) / determinant];
+  if (!(Math.abs(a * d - b * c) > 0)) return similarity(from, to);
+  const turned = { a, b, c, d, e: 0, f: 0 };
+  const [x, y] = mapped(turned, fx, fy);
+  return { ...turned, e: tx - x, f: ty - y };
+}
+
+/** Places lie on one line where 1 minus their squared correlation is below that. */
+const ON_A_LINE = 1e-9;
+
+/** How far an affine map leaves places from where they belong, in the unit of these: the largest of all. */
+export function departure(by: Affine, from: readonly Place[], to: readonly Place[]): number {
+  return from.reduce((most, [x, y], i) => {
+    const [u, v] = mapped(by, x, y);
+    return Math.max(most, Math.hypot(u - (to[i]?.[0] ?? NaN), v - (to[i]?.[1] ?? NaN)));
+  }, 0);
 }
 
 function middle(places: readonly Place[]): [number, number] {

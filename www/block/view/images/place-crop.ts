@@ -4,7 +4,8 @@ import { MEASURED } from '../../../shared/view/palette';
 import type { BlockStore } from '../../engine/engine';
 import type { PlacingEngine } from '../../engine/placing';
 import { placeOnOrthophoto } from '../../state/place-on';
-import { SAME } from '../../state/under';
+import { throughout } from '../../state/cells';
+import { affineOf } from '../../state/under';
 import { drawCross } from '../orthophoto/links';
 import { OrthophotoTiles } from '../orthophoto/tiles';
 
@@ -40,7 +41,7 @@ export class PlaceCrop {
     const { width, height, ratio } = this.layers;
     const scale = PX / orthophoto.info.gsd;
     const t = { scale, x: width / 2 - scale * place[0], y: height / 2 + scale * place[1] };
-    this.tiles.paint(context, orthophoto, SAME, t, [width, height, ratio]);
+    this.tiles.paint(context, orthophoto, throughout(affineOf(orthophoto.info.georeference)), t, [width, height, ratio]);
     drawCross(context, [width / 2, height / 2], MEASURED.colour);
   }
 }

@@ -218,7 +218,7 @@ export class BlockMap extends Chart {
     const outlined = (image: number) => look.footprints && shown.keepsImage(image);
     const { orthophoto } = this.store.state.placing;
     const laid = look.orthophoto && orthophoto !== null ? this.laid() : null;
-    if (laid !== null && orthophoto !== null) this.tiles.paint(context, orthophoto, laid.toBlock, t, [width, height, this.layers.ratio]);
+    if (laid !== null && orthophoto !== null) this.tiles.paint(context, orthophoto, laid.sheet, t, [width, height, this.layers.ratio]);
     if (ground !== null) this.paintPhotos(context, colours, view, t, ground, shown);
     if (hasPlaces) paintGrid(context, colours, t, width, height, resultSystem(view).toBlock);
     if (ground !== null && hasPlaces) paintFootprints(context, colours, ground, t, outlined, (image) => isMarked(shown, image));

@@ -19,6 +19,7 @@ import { placedFiles } from '../../state/placed';
 import type { GivenOrthophoto, Looked } from '../../state/placing';
 import { liesElsewhere } from '../../state/purpose';
 import type { Choice } from '../../state/selection';
+import { throughout } from '../../state/cells';
 import { affineOf, mapped, SAME } from '../../state/under';
 import type { Looking } from '../looking';
 import { haloed, paintGrid, paintNorth, paintScale } from '../map/frame';
@@ -213,7 +214,7 @@ export class OrthophotoPlan extends LinkPicture {
     const { orthophoto } = this.store.state.placing;
     const { width, height, ratio } = this.layers;
     if (orthophoto === null) return;
-    this.tiles.paint(context, orthophoto, SAME, t, [width, height, ratio]);
+    this.tiles.paint(context, orthophoto, throughout(affineOf(orthophoto.info.georeference)), t, [width, height, ratio]);
     if (this.lays) this.over.paint(context, this.chosen(), t);
   }
 

@@ -2,7 +2,9 @@
 import { Cancelled } from '../../../shared/engine/client';
 import type { Transform } from '../../../shared/view/transform';
 import type { GivenOrthophoto } from '../../state/placing';
-import { affineOf, after, inverse, mapped, scaleOf, TILE_SIDE } from '../../state/under';
+import { affineOfPart } from '../../state/cells';
+import type { Sheet } from '../../state/cells';
+import { after, inverse, mapped, scaleOf, TILE_SIDE } from '../../state/under';
 import type { Affine } from '../../state/under';
 
 /** So many tiles are kept: some 100 MB. */
@@ -28,27 +30,30 @@ export class OrthophotoTiles {
     private readonly arrived: () => void,
   ) {}
 
-  /** Paints what a canvas of `width` x `height` CSS px shows. `toSystem`: from the system of the orthophoto to that of the map, whose Y goes up. */
+  /** Paints what a canvas of `width` x `height` CSS px shows. `lies`: from the pixels of the orthophoto to the system of the map, whose Y goes up. */
   paint(
     context: CanvasRenderingContext2D,
     { raster, info }: GivenOrthophoto,
-    toSystem: Affine,
+    lies: Pick<Sheet, 'whole' | 'cells'>,
     t: Transform,
     [width, height, ratio]: readonly [number, number, number],
   ): void {
     this.keepOnly(raster);
     const ofMap: Affine = { a: t.scale, b: 0, c: 0, d: -t.scale, e: t.x, f: t.y };
-    const toCanvas = after(ofMap, after(toSystem, affineOf(info.georeference)));
+    const toCanvas = after(ofMap, lies.whole);
     const coarsest = Math.max(0, Math.ceil(Math.log2(Math.max(info.width, info.height) / (2 * TILE_SIDE))));
     const level = Math.min(coarsest, Math.max(0, Math.floor(Math.log2(1 / (scaleOf(toCanvas) * ratio)))));
-    const seen = partSeen(toCanvas, info, width, height);
+    const seen = partSeen(toCanvas, info, [width, height], lies.cells?.margin ?? 0);
     context.save();
-    context.transform(toCanvas.a, toCanvas.b, toCanvas.c, toCanvas.d, toCanvas.e, toCanvas.f);
     context.imageSmoothingEnabled = scaleOf(toCanvas) * ratio < 2 || level > 0;
     const missing = tilesOf(coarsest, seen, info).filter((tile) => !this.made.has(nameOf(tile)));
     for (const tile of tilesOf(level, seen, info)) {
       if (level < coarsest && !this.made.has(nameOf(tile))) missing.push(tile);
+      const { a, b, c, d, e, f } = lies.cells === null ? toCanvas : after(ofMap, affineOfPart(lies, info, partOf(tile, info)));
+      context.save();
+      context.transform(a, b, c, d, e, f);
       this.paintTile(context, tile, coarsest, info);
+      context.restore();
     }
     context.restore();
     this.ask(missing, seen);
@@ -134,12 +139,18 @@ interface Size {
   height: number;
 }
 
-/** What of the picture a canvas shows. */
-function partSeen(toCanvas: Affine, { width, height }: Size, across: number, down: number): Part {
+/** What of the picture a canvas shows, and so many px about it. */
+function partSeen(toCanvas: Affine, { width, height }: Size, [across, down]: readonly [number, number], margin: number): Part {
   const back = inverse(toCanvas);
   const corners = [mapped(back, 0, 0), mapped(back, across, 0), mapped(back, 0, down), mapped(back, across, down)];
   const [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
-  return [Math.max(0, Math.min(...xs)), Math.max(0, Math.min(...ys)), Math.min(width, Math.max(...xs)), Math.min(height, Math.max(...ys))];
+  const [left, top, right, bottom] = [Math.min(...xs) - margin, Math.min(...ys) - margin, Math.max(...xs) + margin, Math.max(...ys) + margin];
+  return [Math.max(0, left), Math.max(0, top), Math.min(width, right), Math.min(height, bottom)];
+}
+
+function partOf({ level, column, row }: Tile, { width, height }: Size): Part {
+  const side = TILE_SIDE * 2 ** level;
+  return [column * side, row * side, Math.min(width, (column + 1) * side), Math.min(height, (row + 1) * side)];
 }
 
 function tilesOf(level: number, [left, top, right, bottom]: Part, { width, height }: Size): Tile[] {

@@ -112,7 +112,11 @@ says-where-a-picture-of = يذكر { $name } موضع صورة بالاسم نف
 placed-by = ، موضعها من { $name }
 in-the-system-of = ، بنظام { $name }
 epsg = ، EPSG:{ $epsg }
-orthophoto-px-of = الصورة المصححة { $name }: { COUNT($width) } × { COUNT($height) } بكسل قدره { $gsd }{ $what }{ $by }.
+orthophoto-px-of = الصورة المصححة { $name }: { COUNT($width) } × { COUNT($height) } بكسل قدره { $gsd }{ $what }{ $by }.{ $degrees }
+an-orthophoto-in-degrees = {" "}هي بالدرجات ({ $crs }): تُفرش تحت الخريطة، وتُعرض وحدها بنظام { $shown }{ $departs ->
+        [none] {""}
+       *[other] ، حيث يبلغ خطؤها { FIXED($departs, digits: 1) } بكسل على الأكثر
+    }. لا توضع الصور إلا على صورة في نظام إسقاط: حوّل إسقاطها لذلك بالأمر gdalwarp -t_srs مثلًا.
 the-work-that-was-done = {" "}ما أُنجز من العمل محفوظ: «تشغيل» يتابع من هناك.
 restored-from-this-browser = استُرجع من هذا المتصفح: { $title_of }.{ $goes_on }
 the-finished-block-is-damaged = الكتلة المنجزة تالفة
@@ -340,9 +344,11 @@ matches = المطابقات: { COUNT($matches) }
 widest-line = أعرض الخطوط: { $widest }.
 the-orthomosaic-is-of-an = {" "}الموزاييك المصحح من تشغيل سابق.
 the-orthophoto-is-in-another = {" "}الصورة المصححة في نظام آخر: ضع الكتلة أو صورًا منها عليها فتقع تحتها.
-orthophoto-laid-under-by-positions = {" "}فُرشت الصورة المصححة تحتها بحسب موضعيهما على الأرض ({ $crs }).
+orthophoto-laid-under-by-positions = {" "}فُرشت الصورة المصححة تحتها بحسب موضعيهما على الأرض ({ $crs }{ $departs ->
+        [none] {""}
+       *[other] ؛ بخطأ يبلغ { FIXED($departs, digits: 1) } بكسل على الأكثر
+    }).
 the-orthophoto-is-not-laid-under = {" "}لم تُفرش الصورة المصححة تحت الكتلة: { $reason }
-the-systems-are-not-similar = {" "}لم تُفرش الصورة المصححة تحت الكتلة: بعد الدوران والتحجيم والإزاحة يختلف نظامها ({ $crs }) عن نظام الكتلة بمقدار { FIXED($most, digits: 2) } م، وهو أكثر من { FIXED($limit, digits: 2) } م.
 the-block-is-outside-the-system = {" "}لم تُفرش الصورة المصححة تحت الكتلة: تقع الكتلة خارج نظامها ({ $crs }).
 the-orthophoto-lies-elsewhere = {" "}تقع الصورة المصححة في مكان غير مكان الكتلة ({ $crs }): أعط صورة للأرض نفسها.
 orthophoto-laid-under-by-placed = {" "}فُرشت الصورة المصححة تحتها بعدد { $images ->

@@ -133,7 +133,11 @@ says-where-a-picture-of = { $name } says where a picture of the same name lies: 
 placed-by = , placed by { $name }
 in-the-system-of = , in the system of { $name }
 epsg = , EPSG:{ $epsg }
-orthophoto-px-of = Orthophoto { $name }: { COUNT($width) } × { COUNT($height) } px of { $gsd }{ $what }{ $by }.
+orthophoto-px-of = Orthophoto { $name }: { COUNT($width) } × { COUNT($height) } px of { $gsd }{ $what }{ $by }.{ $degrees }
+an-orthophoto-in-degrees = {" "}It is in degrees ({ $crs }): it lies under the map, and is shown by itself in { $shown }{ $departs ->
+        [none] {""}
+       *[other] , where it is off by up to { FIXED($departs, digits: 1) } px
+    }. Images are placed on one in a projected system alone: reproject it for that, with gdalwarp -t_srs say.
 
 ## files/keep
 
@@ -383,9 +387,11 @@ matches = { COUNT($matches) } matches
 widest-line = Widest line: { $widest }.
 the-orthomosaic-is-of-an = {" "}The orthomosaic is of an earlier run.
 the-orthophoto-is-in-another = {" "}The orthophoto is in another system: place the block on it, or images of it, and it lies under them.
-orthophoto-laid-under-by-positions = {" "}Orthophoto laid under by the positions of both on the earth ({ $crs }).
+orthophoto-laid-under-by-positions = {" "}Orthophoto laid under by the positions of both on the earth ({ $crs }{ $departs ->
+        [none] {""}
+       *[other] ; off by up to { FIXED($departs, digits: 1) } px
+    }).
 the-orthophoto-is-not-laid-under = {" "}The orthophoto is not laid under the block: { $reason }
-the-systems-are-not-similar = {" "}The orthophoto is not laid under the block: turned, scaled and shifted, its system ({ $crs }) differs from that of the block by { FIXED($most, digits: 2) } m, more than { FIXED($limit, digits: 2) } m.
 the-block-is-outside-the-system = {" "}The orthophoto is not laid under the block: the block lies outside its system ({ $crs }).
 the-orthophoto-lies-elsewhere = {" "}The orthophoto lies elsewhere than the block ({ $crs }): give one of the same ground.
 orthophoto-laid-under-by-placed = {" "}Orthophoto laid under by { COUNT($images) } { $images ->
