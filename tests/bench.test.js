@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { match_pair, Photo, score_matches, simulate } from '../pkg/node.js';
 import { calibratedInput } from '../tools/bench/calibrated.mjs';
 import { parsed } from '../tools/bench/rivals/aliked.mjs';
-import { editsShown } from '../tools/bench/shown-edits.mjs';
+import { acknowledged, countKinds, wrongWith } from '../tools/bench/crash-states.mjs';
 import { flight } from '../tools/bench/verdict/flights.mjs';
 import { seenShare } from '../tools/bench/verdict/seen.mjs';
 import { exchanged, inputOf, reduced, turned } from '../tools/bench/verdict/views.mjs';
@@ -70,9 +70,35 @@ stereo_rectified_motorcycle  motorcycle_left. motorcycle_right matches   1775 ri
   ]);
 });
 
-test('of hundreds of edits, of which the page lists those about the present state, all are counted', () => {
-  assert.equal(editsShown(['history-0'], 'history'), 0);
-  assert.equal(editsShown(['history-512'], 'history'), 512);
-  assert.equal(editsShown(['block-history-73'], 'block-history'), 73);
-  assert.equal(editsShown([], 'history'), 0);
+test('after a crash the state that was kept is there, or one since; an edit that is lost, undone, or another is found out', () => {
+  const state = (/** @type {string[]} */ names, held = names.length, masked = false) => ({ names, held, masked });
+  const seen = [state([]), state(['reject 1 match']), state(['reject 1 match'], 0), state(['add 1 match'])].map((one, i) => ({
+    state: one,
+    key: JSON.stringify(one),
+    at: 600 * i,
+    kept: i === 1 ? '[1]' : null,
+  }));
+  assert.deepEqual(
+    [700, 1700, 2900].map((at) => acknowledged(seen, at)),
+    [1, 1, 3],
+  );
+  assert.equal(wrongWith(seen, 1, state(['reject 1 match']), '[1]'), '');
+  assert.match(wrongWith(seen, 1, state(['reject 1 match']), '[2]'), /other edits/);
+  assert.equal(wrongWith(seen, 3, state(['add 1 match']), '[3]'), '');
+  for (const lost of [state([]), state(['reject 1 match']), state(['reject 1 match'], 0)])
+    assert.notEqual(wrongWith(seen, 3, lost, '[1]'), '', lost.names.join());
+  // What was under way when it crashed may be there.
+  assert.equal(wrongWith(seen, 3, state(['add 1 match', 'move 1 match']), '[3,4]'), '');
+  assert.equal(wrongWith(seen, 3, state(['add 1 match'], 0), '[3]'), '');
+  assert.notEqual(wrongWith(seen, 3, state(['reject 1 match', 'add 1 match']), '[1,3]'), '');
+  const counts = new Map();
+  countKinds(seen, counts);
+  assert.deepEqual(
+    [...counts],
+    [
+      ['reject', 1],
+      ['undo', 1],
+      ['add', 1],
+    ],
+  );
 });

@@ -1,6 +1,6 @@
 /**
- * The page crashed at random moments while matches and a block are edited and while a block is run, and opened again each time: no edit that was kept
- * is lost, none comes in another order, and a run goes on to what it gives where nothing breaks it off.
+ * The page crashed at random moments while matches and a block are edited in all ways that are quick, and while a block is run, and opened again each time: no
+ * edit that was kept is lost, undone or made again, none comes in another order, and a run goes on to what it gives where nothing breaks it off.
  */
 
 import { chromium } from 'playwright-core';
@@ -9,19 +9,19 @@ import { findChromium } from '../lib/setup.mjs';
 import { blockPhotos } from '../../tests/page/rendered.js';
 import { done, enabled, journal, openDrawers, pair, part, partsNamed, saved, until, upload } from '../../tests/page/page.js';
 import { FLIGHT, status } from '../../tests/page/blocks.js';
+import { drawn, OF_BLOCK, OF_PAIR } from './crash-edits.mjs';
+import { acknowledged, countKinds, stateOf, watch, wrongWith } from './crash-states.mjs';
 import { dice } from './dice.mjs';
 import { numberOption } from './options.mjs';
-import { editsShown } from './shown-edits.mjs';
 
 /** @typedef {import('playwright-core').Page} Page @typedef {import('playwright-core').BrowserContext} Context */
-/** @typedef {{ edits: number, at: number }} Shown how many edits the page showed, and when */
 
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 const PATIENCE_MS = 60_000;
-/** An edit that has been on the screen for as long is kept, the page promises. */
-const KEPT_AFTER_MS = 1000;
 /** Edits go on for this long at most before a crash. */
-const EDITING_MS = 6000;
+const EDITING_MS = 12_000;
+/** What an edit does is on the screen so soon. */
+const AFTER_EDIT_MS = 120;
 /** A run that goes on by itself is under way so soon. */
 const SOON_MS = 500;
 const FINISHED = /^(Oriented|Weak orientation|Not oriented|The block was)/;
@@ -35,7 +35,7 @@ export async function crashes() {
   const browser = await chromium.launch({ executablePath, args: FLAGS });
   try {
     const context = async () => {
-      const made = await browser.newContext({ viewport: { width: 1280, height: 800 }, serviceWorkers: 'block' });
+      const made = await browser.newContext({ viewport: { width: 1366, height: 768 }, serviceWorkers: 'block' });
       made.setDefaultTimeout(PATIENCE_MS);
       await made.addInitScript(openDrawers);
       return made;
@@ -50,11 +50,11 @@ export async function crashes() {
   }
 }
 
-/** What is edited: how it is opened, found again, and edited once. @typedef {{ what: string, journal: string, history: string, open: (page: Page) => Promise<void>, again: (page: Page) => Promise<void>, edit: (page: Page) => Promise<void> }} Edited */
+/** What is edited: how it is opened, found again, and of which edits one is drawn. @typedef {{ what: string, journal: string, history: string, open: (page: Page) => Promise<void>, again: (page: Page) => Promise<void>, kinds: import('./crash-edits.mjs').Kinds }} Edited */
 
 /** @type {Edited} */
 const PAIR = {
-  what: 'matches are rejected',
+  what: 'matches were edited',
   journal: 'pair/edits',
   history: 'history',
   open: async (page) => {
@@ -62,44 +62,32 @@ const PAIR = {
     await part(page, 'tab-matches').click();
   },
   again: async (page) => {
-    await restored(page, async () => (await shownBy(page, 'history')) > 0);
+    await restored(page, () => hasEdits(page, 'history'));
     await done(page);
     await part(page, 'tab-matches').click();
   },
-  edit: async (page) => {
-    const rows = page.locator('[data-testid="statistics-row"]');
-    await rows.nth((await rows.count()) >> 1).click();
-    await enabled(page, 'reject');
-    await part(page, 'view').focus();
-    await page.keyboard.press('Delete');
-  },
+  kinds: OF_PAIR,
 };
 
 /** @type {Edited} */
 const BLOCK = {
-  what: 'observations of a block are rejected',
+  what: 'a block was edited',
   journal: 'block/edits',
   history: 'block-history',
   open: async (page) => {
     await blockOf(page);
     await part(page, 'block-run').click();
     await status(page, FINISHED);
+    await part(page, 'tab-block-points').click();
     await part(page, 'block-show-images').click();
   },
   again: async (page) => {
-    await restored(page, async () => (await shownBy(page, 'block-history')) > 0);
+    await restored(page, () => hasEdits(page, 'block-history'));
     await status(page, FINISHED);
+    await part(page, 'tab-block-points').click();
     await part(page, 'block-show-images').click();
   },
-  edit: async (page) => {
-    await part(page, 'block-panes').focus();
-    for (let step = 0; step < 3; step += 1) await page.keyboard.press('n');
-    await page.waitForFunction(() => {
-      const button = document.querySelector('[data-testid="block-reject"]');
-      return button?.hasAttribute('disabled') === false && button.checkVisibility();
-    });
-    await page.keyboard.press('Delete');
-  },
+  kinds: OF_BLOCK,
 };
 
 /** Gives the page the photos of a block.  @param {Page} page */
@@ -126,65 +114,71 @@ async function restored(page, isThere) {
   throw new Error(`what was kept is not on the page again: ${said}`);
 }
 
-/** How many edits hold on the page.  @param {Page} page @param {string} of */
-const shownBy = async (page, of) => {
-  const entries = page.locator(`[data-testid="${of}"] [aria-current]`);
-  return editsShown(await entries.evaluateAll((all) => all.map((one) => one.getAttribute('data-testid') ?? '')), of);
-};
+/** Whether the page shows edits, be they undone.  @param {Page} page @param {string} of */
+const hasEdits = async (page, of) => ((await stateOf(page, of))?.names.length ?? 0) > 0;
+
+/** The edits that are kept, once the page has kept what it shows; the state and they.  @param {Page} page @param {Edited} edited @returns {Promise<[import('./crash-states.mjs').State, string]>} */
+async function settled(page, edited) {
+  for (const end = Date.now() + PATIENCE_MS; ; await page.waitForTimeout(100)) {
+    const [state, { edits, done: held }] = [await stateOf(page, edited.history), await journal(page, edited.journal)];
+    if (state !== null && held === state.held && edits.length === state.names.length) return [state, JSON.stringify(edits)];
+    if (Date.now() > end) throw new Error(`${edits.length} edits are kept, ${held} of which hold, and others shown: ${JSON.stringify(state)}`);
+  }
+}
 
 /** @param {Edited} edited @param {Context} context @param {string} url @param {number} wanted @param {() => number} uniform */
 async function editing(edited, context, url, wanted, uniform) {
   let page = await context.newPage();
   await page.goto(url);
   await edited.open(page);
-  /** @type {string[]} */
-  let before = [];
-  let [made, acknowledged, lost] = [0, 0, 0];
   // What was found is kept before it is edited.
-  await edited.edit(page);
+  await edited.kinds[0]?.[1](page, uniform);
   await until(page, 'an edit is kept', async () => (await journal(page, edited.journal)).edits.length > 0);
+  let [made, acknowledgedSteps, lost] = [0, 0, 0];
+  /** @type {Map<string, number>} */
+  const kinds = new Map();
   for (let k = 0; k < wanted; k += 1) {
     const present = page;
-    /** @type {Shown[]} */
-    const shown = [];
-    let [inStorage, isOver] = [0, false];
+    const [start, kept] = await settled(present, edited);
+    /** @type {import('./crash-states.mjs').Seen[]} */
+    const seen = [{ state: start, key: JSON.stringify(start), at: performance.now(), kept }];
+    const ending = { isOver: false };
     const moment = uniform() * EDITING_MS;
     const breaking = new Promise((resolve) => setTimeout(resolve, moment)).then(async () => {
-      isOver = true;
+      ending.isOver = true;
       const at = performance.now();
       await crash(present);
       return at;
     });
     const working = (async () => {
-      for (;;) {
-        await edited.edit(present);
-        shown.push({ edits: await shownBy(present, edited.history), at: performance.now() });
-        inStorage = Math.max(inStorage, (await journal(present, edited.journal)).edits.length);
+      while (!ending.isOver) {
+        await drawn(edited.kinds, uniform)(present, uniform);
+        await present.waitForTimeout(AFTER_EDIT_MS);
       }
-    })().catch((error) => {
+    })();
+    const all = Promise.all([working, watch(present, edited.history, edited.journal, ending, seen)]).catch((error) => {
       // What is asked of a page that has crashed is never answered.
-      if (!isOver) throw error;
+      if (!ending.isOver) throw error;
     });
-    const at = await breaking;
-    await Promise.race([working, new Promise((resolve) => setTimeout(resolve, 2000))]);
+    const at = await Promise.race([breaking, all.then(() => breaking)]);
+    await Promise.race([all, new Promise((resolve) => setTimeout(resolve, 2000))]);
     await present.close().catch(() => undefined);
     page = await context.newPage();
     await page.goto(url);
     await edited.again(page);
-    const { edits, done: held } = await journal(page, edited.journal);
-    const now = edits.map((edit) => JSON.stringify(edit));
-    const least = Math.max(before.length, inStorage, ...shown.filter((one) => at - one.at > KEPT_AFTER_MS).map((one) => one.edits));
-    made = Math.max(made, ...shown.map((one) => one.edits));
-    acknowledged = Math.max(acknowledged, least);
-    const isWhole = held === now.length && before.every((edit, i) => now[i] === edit) && (await shownBy(page, edited.history)) === now.length;
-    if (now.length < least || !isWhole) {
+    const first = acknowledged(seen, at);
+    const wrong = wrongWith(seen, first, ...(await settled(page, edited)));
+    countKinds(seen, kinds);
+    made += seen.length - 1;
+    acknowledgedSteps += first;
+    if (wrong !== '') {
       lost += 1;
-      console.log(`  ${edited.what}: ${now.length} edits of ${least} that were kept, after ${(moment / 1000).toFixed(1)} s`);
+      console.log(`  ${edited.what}: after ${(moment / 1000).toFixed(1)} s the page came back with ${wrong}`);
     }
-    before = now;
   }
+  const drew = [...kinds].map(([kind, count]) => `${kind} ${count}`).join(', ');
   console.log(
-    `The page crashed ${wanted} times at random moments while ${edited.what}: ${acknowledged} edits were kept, ${made} shown, ${before.length} are there; edits were lost in ${lost} crashes`,
+    `The page crashed ${wanted} times at random moments while ${edited.what}: ${made} steps were shown (${drew}), ${acknowledgedSteps} of them kept before a crash; edits were lost in ${lost} crashes`,
   );
   await context.close();
   if (lost > 0) throw new Error('an edit was lost that had been kept');
