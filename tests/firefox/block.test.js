@@ -2,8 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { block, photos, status } from '../page/blocks.js';
-import { keptEdits, part, partsNamed, saved, until } from '../page/page.js';
+import { block, inside, photos, status, undoIs } from '../page/blocks.js';
+import { keptEdits, part, partsNamed, saved, says, until } from '../page/page.js';
 import { hostedInFirefox, SKIP } from './firefox.js';
 
 hostedInFirefox('/');
@@ -33,6 +33,58 @@ test('a block of photographs is oriented and kept; an image is rejected, and tha
   await page.keyboard.press('Control+z');
   await status(page, /: 6 of 6 images/);
   assert.equal(await project(page), found);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a point is measured in three images by the keyboard alone', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block({ options: { viewport: { width: 1366, height: 768 } } });
+  await photos(page);
+  await part(page, 'block-run').click();
+  await status(page, /^(?:Oriented|Weak orientation): /);
+  await part(page, 'block-show-images').click();
+  await part(page, 'block-panes').focus();
+  await inside(page);
+  for (const key of ['a', 'Enter']) await page.keyboard.press(key);
+  for (const images of [2, 3]) {
+    for (const key of ['o', 'Shift+ArrowRight', 'ArrowLeft']) await page.keyboard.press(key);
+    await says(page, 'block-edit-text', new RegExp(`placed in ${images} images`));
+  }
+  await page.keyboard.press('f');
+  await status(page, /Matched in [12345] of \d images\. Enter accepts\./);
+  await page.keyboard.press('Enter');
+  await undoIs(page, /^Undo: add 1 point in \d images/);
+  assert.match(await says(page, 'image-point', / rays/), /^Point by hand .* · [3-6] rays · RMSE/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('edits are kept where a reload comes in the middle of them, undone and made again, and go on', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  await photos(page);
+  await part(page, 'block-run').click();
+  await status(page, /^(?:Oriented|Weak orientation): /);
+  await until(page, 'it is kept', async () => (await partsNamed(page, 'block/shown')) > 0);
+  const reject = async () => {
+    await page.keyboard.press('n');
+    await page.waitForFunction(() => document.querySelector('[data-testid="block-reject"]')?.hasAttribute('disabled') === false);
+    await page.keyboard.press('Delete');
+  };
+  await part(page, 'block-show-images').click();
+  await part(page, 'block-panes').focus();
+  for (let edit = 0; edit < 2; edit += 1) await reject();
+  await page.keyboard.press('Control+z');
+  // The block is adjusted by them still, or not: what is kept counts.
+  await keptEdits(page, 'block/edits', 2, 1);
+  await page.reload();
+  await undoIs(page, /^Undo: reject 1 observation in /);
+  await page.keyboard.press('Control+Shift+z');
+  await keptEdits(page, 'block/edits', 2, 2);
+  await part(page, 'block-show-images').click();
+  await part(page, 'block-panes').focus();
+  await reject();
+  const { edits } = await keptEdits(page, 'block/edits', 3, 3);
+  assert.equal(new Set(edits.map((edit) => JSON.stringify(edit))).size, 3);
   assert.deepEqual(complaints, []);
   await close();
 });

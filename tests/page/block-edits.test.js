@@ -4,42 +4,17 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { block, FLIGHT, photoFolder, photos, status } from './blocks.js';
+import { block, inside, photoFolder, photos, status, undoIs } from './blocks.js';
 import { hosted, keptEdits, part, saved, says, SHOTS, SKIP } from './page.js';
 
 hosted('/block-edits/');
 
 /** @typedef {import('playwright-core').Page} Page */
 
-/** Waits until undo would take back this.  @param {Page} page @param {RegExp} pattern */
-const undoIs = (page, pattern) =>
-  page.waitForFunction(
-    ([source]) => {
-      const adjusting = document.querySelector('[data-testid="block-edit-text"]')?.textContent === 'Adjusting the block …';
-      return !adjusting && new RegExp(source ?? '', 'u').test(document.querySelector('[data-testid="block-undo"]')?.getAttribute('title') ?? '');
-    },
-    [pattern.source],
-  );
-
 /** The block as a project file.  @param {Page} page */
 async function project(page) {
   await part(page, 'block-export-kind').selectOption('project');
   return saved(page, 'block-export');
-}
-
-/** Goes on to a tie point that the first image shows away from its edges: what surrounds it can be matched.  @param {Page} page */
-async function inside(page) {
-  const pane = await part(page, 'pane-image-0').boundingBox();
-  assert.ok(pane);
-  for (let k = 1; k < 80; k += 1) {
-    await page.keyboard.press('n');
-    // Its place is in the middle of the pane, and is told of where the pointer is.
-    await page.mouse.move(pane.x + pane.width / 2 + (k % 2), pane.y + pane.height / 2);
-    const place = /^photo_0\.png: (\d+)\S*, (\d+)\S* px/.exec((await part(page, 'image-place').textContent()) ?? '');
-    const [column = 0, row = 0] = place?.slice(1).map(Number) ?? [];
-    if (column > 60 && column < FLIGHT.width_px - 60 && row > 30 && row < FLIGHT.height_px / 2 - 30) return;
-  }
-  assert.fail('no tie point is away from the edges of the first image');
 }
 
 test('observations and images are rejected, a point is measured by keyboard, all of it is undone after a reload to the byte', { skip: SKIP }, async () => {

@@ -43,6 +43,31 @@ export async function photos(page, flight = FLIGHT, ready = /Press Run/) {
   await status(page, ready);
 }
 
+/** Waits until undo would take back this.  @param {Page} page @param {RegExp} pattern */
+export const undoIs = (page, pattern) =>
+  page.waitForFunction(
+    ([source]) => {
+      const adjusting = document.querySelector('[data-testid="block-edit-text"]')?.textContent === 'Adjusting the block …';
+      return !adjusting && new RegExp(source ?? '', 'u').test(document.querySelector('[data-testid="block-undo"]')?.getAttribute('title') ?? '');
+    },
+    [pattern.source],
+  );
+
+/** Goes on to a tie point that the first image shows away from its edges: what surrounds it can be matched.  @param {Page} page */
+export async function inside(page) {
+  const pane = await part(page, 'pane-image-0').boundingBox();
+  if (!pane) throw new Error('the first image is not shown');
+  for (let k = 1; k < 80; k += 1) {
+    await page.keyboard.press('n');
+    // Its place is in the middle of the pane, and is told of where the pointer is.
+    await page.mouse.move(pane.x + pane.width / 2 + (k % 2), pane.y + pane.height / 2);
+    const place = /^photo_0+\.png: (\d+)\S*, (\d+)\S* px/.exec((await part(page, 'image-place').textContent()) ?? '');
+    const [column = 0, row = 0] = place?.slice(1).map(Number) ?? [];
+    if (column > 60 && column < FLIGHT.width_px - 60 && row > 30 && row < FLIGHT.height_px / 2 - 30) return;
+  }
+  throw new Error('no tie point is away from the edges of the first image');
+}
+
 /** A folder with photos of the flight and what is no image.  @param {number} count */
 export function photoFolder(count) {
   const folder = mkdtempSync(join(tmpdir(), 'tiepoint-photos-'));

@@ -4,22 +4,12 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { block, status, surveyedFolder } from './blocks.js';
+import { block, status, surveyedFolder, undoIs } from './blocks.js';
 import { hosted, keptEdits, part, saved, says, SHOTS, SKIP, upload } from './page.js';
 
 hosted('/surveyed/');
 
 /** @typedef {import('playwright-core').Page} Page */
-
-/** Waits until undo would take back this.  @param {Page} page @param {RegExp} pattern */
-const undoIs = (page, pattern) =>
-  page.waitForFunction(
-    ([source]) => {
-      const adjusting = document.querySelector('[data-testid="block-edit-text"]')?.textContent === 'Adjusting the block …';
-      return !adjusting && new RegExp(source ?? '', 'u').test(document.querySelector('[data-testid="block-undo"]')?.getAttribute('title') ?? '');
-    },
-    [pattern.source],
-  );
 
 /** A cell of the row of a surveyed point says something.  @param {Page} page @param {string} name @param {number} column @param {string} text */
 const cellIs = (page, name, column, text) =>
