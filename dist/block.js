@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, BY_HAND as BY_HAND$3, CANDIDATE, CallError, Cancelled, EPIPOLAR, Holder, IMAGE_FILE, Journal, Layers, MASK_SIDE, MEASURED, NO_HISTORY, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior, isCurrent, isHidden, isMeasured, isMode, isNothing, isOpen, isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf as maskOf$1, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf as standingOf$1, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, wholeMarks, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, BY_HAND as BY_HAND$3, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, OWN_LIGHT, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine as affine$1, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, declareLack, declarePlace, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior, isCurrent, isHidden, isMeasured, isMode, isNothing, isOpen, isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, maskOf as maskOf$1, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf as standingOf$1, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, wholeMarks, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { arrange, asFigure, asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -196,6 +196,131 @@ function marksOfNone({ marks }, images) {
 function stemOf(name) {
 	return name.replace(/\.[^.]*$/u, "").toLowerCase();
 }
+// www/block/state/placing.ts
+function isLookedAtAlone(orthophoto) {
+	return (orthophoto?.raster.degrees ?? null) !== null;
+}
+var NOTHING_LOOKED_AT = {
+	image: null,
+	link: null
+};
+var NO_PLACING = {
+	orthophoto: null,
+	heights: {
+		kind: "level",
+		height: 0
+	},
+	film: NO_FILM,
+	options: null,
+	purpose: null,
+	placed: new Map(),
+	running: null,
+	elsewhere: "",
+	chosen: NOTHING_LOOKED_AT,
+	pointed: NOTHING_LOOKED_AT,
+	picks: false,
+	adds: false,
+	draft: null,
+	adjusting: null,
+	uses: new Set([
+		"used",
+		"check",
+		"rejected"
+	])
+};
+function reducePlacing(placing, action) {
+	switch (action.type) {
+		case "orthophoto": return {
+			...NO_PLACING,
+			options: placing.options,
+			film: placing.film,
+			orthophoto: action.orthophoto
+		};
+		case "heights": return {
+			...placing,
+			heights: action.heights,
+			orthophoto: placing.orthophoto === null ? null : {
+				...placing.orthophoto,
+				info: action.info
+			}
+		};
+		case "film": return {
+			...placing,
+			film: action.film
+		};
+		case "placingOptions": return placing.options === null ? placing : {
+			...placing,
+			options: {
+				...placing.options,
+				...action.options
+			},
+			picks: false
+		};
+		case "purpose": return placing.purpose === action.purpose ? placing : {
+			...placing,
+			purpose: action.purpose,
+			draft: null,
+			picks: false,
+			adds: false
+		};
+		case "placing": return {
+			...placing,
+			running: action.running
+		};
+		case "elsewhere": return placing.elsewhere === action.text ? placing : {
+			...placing,
+			elsewhere: action.text
+		};
+		case "placed": return {
+			...placing,
+			placed: new Map([...placing.placed, [action.image.id, action.placed]])
+		};
+		case "choosePlaced":
+			if (isSameLooked(placing.chosen, action.looked)) return placing;
+			return {
+				...placing,
+				chosen: action.looked,
+				draft: placing.chosen.image === action.looked.image ? placing.draft : null
+			};
+		case "pointPlaced": return isSameLooked(placing.pointed, action.looked) ? placing : {
+			...placing,
+			pointed: action.looked
+		};
+		case "picksPlace": return {
+			...placing,
+			picks: action.picks,
+			draft: null,
+			adds: false
+		};
+		case "addsPlace": return {
+			...placing,
+			adds: action.adds,
+			draft: null,
+			picks: false
+		};
+		case "linkDraft": return {
+			...placing,
+			draft: action.draft,
+			picks: false
+		};
+		case "adjustsLinks": return {
+			...placing,
+			adjusting: action.image
+		};
+		case "showLinks": {
+			const uses = new Set(placing.uses);
+			if (action.on) uses.add(action.use);
+			else uses.delete(action.use);
+			return {
+				...placing,
+				uses
+			};
+		}
+	}
+}
+function isSameLooked(a, b) {
+	return a.image === b.image && a.link === b.link;
+}
 // www/block/state/given-positions.ts
 function givenPositions({ files, placing: { orthophoto }, options: { settings, positions } }) {
 	return read(positions?.text ?? null, files, settings?.placing ?? null, orthophoto?.info.epsg ?? null);
@@ -320,8 +445,7 @@ var NO_PANES = {
 		vectors: 0,
 		linked: false,
 		loupe: false,
-		brightness: 1,
-		contrast: 1,
+		...OWN_LIGHT,
 		unmeasured: false
 	}
 };
@@ -379,128 +503,6 @@ function panesInOtherView(panes, before, after) {
 		views,
 		active: active < 0 ? null : active
 	}, images);
-}
-// www/block/state/placing.ts
-var NOTHING_LOOKED_AT = {
-	image: null,
-	link: null
-};
-var NO_PLACING = {
-	orthophoto: null,
-	heights: {
-		kind: "level",
-		height: 0
-	},
-	film: NO_FILM,
-	options: null,
-	purpose: null,
-	placed: new Map(),
-	running: null,
-	elsewhere: "",
-	chosen: NOTHING_LOOKED_AT,
-	pointed: NOTHING_LOOKED_AT,
-	picks: false,
-	adds: false,
-	draft: null,
-	adjusting: null,
-	uses: new Set([
-		"used",
-		"check",
-		"rejected"
-	])
-};
-function reducePlacing(placing, action) {
-	switch (action.type) {
-		case "orthophoto": return {
-			...NO_PLACING,
-			options: placing.options,
-			film: placing.film,
-			orthophoto: action.orthophoto
-		};
-		case "heights": return {
-			...placing,
-			heights: action.heights,
-			orthophoto: placing.orthophoto === null ? null : {
-				...placing.orthophoto,
-				info: action.info
-			}
-		};
-		case "film": return {
-			...placing,
-			film: action.film
-		};
-		case "placingOptions": return placing.options === null ? placing : {
-			...placing,
-			options: {
-				...placing.options,
-				...action.options
-			},
-			picks: false
-		};
-		case "purpose": return placing.purpose === action.purpose ? placing : {
-			...placing,
-			purpose: action.purpose,
-			draft: null,
-			picks: false,
-			adds: false
-		};
-		case "placing": return {
-			...placing,
-			running: action.running
-		};
-		case "elsewhere": return placing.elsewhere === action.text ? placing : {
-			...placing,
-			elsewhere: action.text
-		};
-		case "placed": return {
-			...placing,
-			placed: new Map([...placing.placed, [action.image.id, action.placed]])
-		};
-		case "choosePlaced":
-			if (isSameLooked(placing.chosen, action.looked)) return placing;
-			return {
-				...placing,
-				chosen: action.looked,
-				draft: placing.chosen.image === action.looked.image ? placing.draft : null
-			};
-		case "pointPlaced": return isSameLooked(placing.pointed, action.looked) ? placing : {
-			...placing,
-			pointed: action.looked
-		};
-		case "picksPlace": return {
-			...placing,
-			picks: action.picks,
-			draft: null,
-			adds: false
-		};
-		case "addsPlace": return {
-			...placing,
-			adds: action.adds,
-			draft: null,
-			picks: false
-		};
-		case "linkDraft": return {
-			...placing,
-			draft: action.draft,
-			picks: false
-		};
-		case "adjustsLinks": return {
-			...placing,
-			adjusting: action.image
-		};
-		case "showLinks": {
-			const uses = new Set(placing.uses);
-			if (action.on) uses.add(action.use);
-			else uses.delete(action.use);
-			return {
-				...placing,
-				uses
-			};
-		}
-	}
-}
-function isSameLooked(a, b) {
-	return a.image === b.image && a.link === b.link;
 }
 // www/block/state/marks.ts
 var LEAST_POINTS = 3;
@@ -843,7 +845,9 @@ function isHeldByHand({ shown }) {
 }
 function purposeOf({ placing, shown, files }) {
 	const { orthophoto, purpose, placed, heights } = placing;
-	if (orthophoto === null || purpose !== null) return orthophoto === null ? null : purpose;
+	if (orthophoto === null) return null;
+	if (isLookedAtAlone(orthophoto)) return "map";
+	if (purpose !== null) return purpose;
 	if (orthophoto.ofBlock !== null || placed.size > 0) return "images";
 	const block = orientedBlock({ shown });
 	if (block !== null) return cameOnGround(block) ? "map" : null;
@@ -1090,6 +1094,57 @@ function similarity(from, to) {
 		f: ty - y
 	};
 }
+function affine(from, to) {
+	if (from.length < 3 || from.length !== to.length) return similarity(from, to);
+	const [fx, fy] = middle(from);
+	const [tx, ty] = middle(to);
+	let [uu, uv, vv, up, vp, uq, vq] = [
+		0,
+		0,
+		0,
+		0,
+		0,
+		0,
+		0
+	];
+	from.forEach(([x, y], i) => {
+		const [u, v] = [x - fx, y - fy];
+		const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
+		uu += u * u;
+		uv += u * v;
+		vv += v * v;
+		up += u * p;
+		vp += v * p;
+		uq += u * q;
+		vq += v * q;
+	});
+	const determinant = uu * vv - uv * uv;
+	if (!(determinant > ON_A_LINE * uu * vv)) return similarity(from, to);
+	const [a, c] = [(vv * up - uv * vp) / determinant, (uu * vp - uv * up) / determinant];
+	const [b, d] = [(vv * uq - uv * vq) / determinant, (uu * vq - uv * uq) / determinant];
+	if (!(Math.abs(a * d - b * c) > 0)) return similarity(from, to);
+	const turned = {
+		a,
+		b,
+		c,
+		d,
+		e: 0,
+		f: 0
+	};
+	const [x, y] = mapped(turned, fx, fy);
+	return {
+		...turned,
+		e: tx - x,
+		f: ty - y
+	};
+}
+var ON_A_LINE = 1e-9;
+function departure(by, from, to) {
+	return from.reduce((most, [x, y], i) => {
+		const [u, v] = mapped(by, x, y);
+		return Math.max(most, Math.hypot(u - (to[i]?.[0] ?? NaN), v - (to[i]?.[1] ?? NaN)));
+	}, 0);
+}
 function middle(places) {
 	const sum = places.reduce(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
 	return [(sum[0] ?? 0) / places.length, (sum[1] ?? 0) / places.length];
@@ -1098,7 +1153,7 @@ function middle(places) {
 var APART_M$1 = 500;
 var FOOT_M$2 = .3048;
 var MOST_SCALE$1 = .02;
-var DIGITS_OF_DEGREES = 5;
+var DIGITS_OF_DEGREES$1 = 5;
 var resultSystem = remember((view) => chosenSystem(view) ?? ownSystem(view));
 function ownSystem(view) {
 	const unit = unitOf(view);
@@ -1156,7 +1211,7 @@ function chosenSystem(view) {
 			name: system,
 			code: /^epsg:\d+$/iu.test(crs) ? crs.toUpperCase() : system,
 			unit: [across, unitOfLength((over - up) / APART_M$1)],
-			more: across === "°" ? DIGITS_OF_DEGREES : 0,
+			more: across === "°" ? DIGITS_OF_DEGREES$1 : 0,
 			coordinates,
 			toBlock: {
 				...turned,
@@ -1273,14 +1328,14 @@ var PlacingEngine = class {
 	async open(raster, ofBlock = null) {
 		return {
 			raster,
-			info: await this.asked(groundOf(raster, NO_PLACING.heights)),
+			info: await this.asked(groundOf$1(raster, NO_PLACING.heights)),
 			ofBlock
 		};
 	}
 	async setHeights(heights) {
 		const { orthophoto } = this.store.state.placing;
 		if (orthophoto === null) return;
-		const info = await this.asked(groundOf(orthophoto.raster, heights));
+		const info = await this.asked(groundOf$1(orthophoto.raster, heights));
 		this.store.dispatch({
 			type: "heights",
 			heights,
@@ -1579,10 +1634,10 @@ var PlacingEngine = class {
 	}
 	get ground() {
 		const { orthophoto, heights } = this.store.state.placing;
-		return orthophoto === null ? null : groundOf(orthophoto.raster, heights);
+		return orthophoto === null ? null : groundOf$1(orthophoto.raster, heights);
 	}
 };
-function groundOf(raster, heights) {
+function groundOf$1(raster, heights) {
 	const own = heights.kind === "level" ? heights.height : sourceOf$2(heights.model);
 	const name = heights.kind === "level" ? `level ${String(heights.height)}` : `file ${String(heights.model.id)}`;
 	return {
@@ -1594,7 +1649,14 @@ function groundOf(raster, heights) {
 		}
 	};
 }
-function sourceOf$2({ file, world, projection }) {
+function sourceOf$2({ file, world, projection, degrees = null }) {
+	if (degrees !== null) return {
+		file,
+		sidecars: {
+			world_file: degrees.world,
+			projection: degrees.shownIn
+		}
+	};
 	return {
 		file,
 		sidecars: {
@@ -3718,6 +3780,25 @@ function mountEditBar(store, facts, measures) {
 		use,
 		text
 	]);
+	declareLack([
+		reject,
+		whole,
+		restore,
+		remove,
+		joining,
+		parting,
+		measure,
+		match
+	], () => store.state.selection.chosen === null ? say("nothing-is-chosen") : "");
+	declareLack([accept, leave], () => store.state.draft === null ? say("nothing-is-measured") : "");
+	declarePlace([measure, add], {
+		title: say("images-2"),
+		show: () => store.dispatch({
+			type: "stage",
+			view: "images"
+		}),
+		can: () => isEditable(store.state) && store.state.onStage !== "images" && store.state.draft === null
+	});
 	const counterparts = new Map([
 		[reject, [restore]],
 		[whole, [restore]],
@@ -3860,35 +3941,24 @@ var betweenSystems = remember((orthophoto, view) => {
 	}
 });
 function judged({ info }, crs, from, to) {
-	const toOrthophoto = similarity(from, to);
+	const toOrthophoto = to.every(([x, y]) => Number.isFinite(x + y)) ? affine(from, to) : null;
 	if (toOrthophoto === null) return {
 		kind: "problem",
 		text: say("the-block-is-outside-the-system", { crs })
 	};
-	const apart = from.map(([x, y], i) => {
-		const [u, v] = mapped(toOrthophoto, x, y);
-		return Math.hypot(u - (to[i]?.[0] ?? NaN), v - (to[i]?.[1] ?? NaN));
-	});
 	const unitsPerMetre = scaleOf(toOrthophoto);
-	const most = Math.max(...apart) / unitsPerMetre;
+	const most = departure(toOrthophoto, from, to) / unitsPerMetre;
 	const limit = Math.max(MOST_PIXELS * info.gsd / unitsPerMetre, MOST_SHARE * Math.hypot(span(from, 0), span(from, 1)));
-	if (most > limit) return {
-		kind: "problem",
-		text: say("the-systems-are-not-similar", {
-			crs,
-			most,
-			limit
-		})
-	};
 	const toPixels = inverse(affineOf(info.georeference));
 	const pixels = to.map(([x, y]) => mapped(toPixels, x, y));
 	return [0, 1].every((axis) => {
 		const own = pixels.map((place) => place[axis]);
 		return Math.max(...own) >= 0 && Math.min(...own) <= (axis === 0 ? info.width : info.height);
 	}) ? {
-		kind: "similar",
+		kind: "affine",
 		toOrthophoto,
-		crs
+		crs,
+		isNear: most <= limit
 	} : {
 		kind: "problem",
 		text: say("the-orthophoto-lies-elsewhere", { crs })
@@ -3898,6 +3968,7 @@ function span(places, axis) {
 	const own = places.map((place) => place[axis]);
 	return Math.max(...own) - Math.min(...own);
 }
+var groundOf = remember((view) => placesOf$3(view)?.height ?? 0);
 function placesOf$3({ images, points }) {
 	const centres = images.flatMap(({ position }) => position === null ? [] : [position]);
 	const step = Math.ceil(points.taking / ENOUGH);
@@ -3941,7 +4012,7 @@ function isInSystemOf({ orthophoto }) {
 function toSystemOf(orthophoto, view) {
 	if (view.orthophoto?.inCrs !== true) return SAME;
 	const between = betweenSystems(orthophoto, view);
-	return between?.kind === "similar" ? between.toOrthophoto : null;
+	return between?.kind === "affine" && between.isNear ? between.toOrthophoto : null;
 }
 var hasPlaceOn = remember(({ info: { width, height, georeference } }, { surveyed }, toOrthophoto) => {
 	const toPixels = inverse(affineOf(georeference));
@@ -3957,7 +4028,7 @@ function chosenPlaced(state) {
 // www/block/state/places.ts
 function takesPlaces(state) {
 	const { orthophoto } = state.placing;
-	if (orthophoto === null || orthophoto.ofBlock !== null || state.shown === null || state.shown.view.partial || state.shown.view.oriented === 0) return false;
+	if (orthophoto === null || isLookedAtAlone(orthophoto) || orthophoto.ofBlock !== null || state.shown === null || state.shown.view.partial || state.shown.view.oriented === 0) return false;
 	return blockOnOrthophoto(state) !== null || purposeOf(state) === "block";
 }
 // www/block/panel/edit-keys.ts
@@ -3965,15 +4036,21 @@ function mountBlockEditKeys(store, hosts) {
 	const isBlockSeen = () => store.state.onStage !== "orthophoto" || blockOnOrthophoto(store.state) !== null || takesPlaces(store.state);
 	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length + store.state.marks.edits.length > 0 && isBlockSeen(), (by) => stepBy(store, by));
 	const idle = () => store.state.draft === null && isBlockSeen();
+	const lack = (kind) => {
+		if (store.state.shown === null) return say("needs-a-block");
+		return editOf(store.state, kind) === null ? say(kind === "reject" ? "nothing-to-reject-is-chosen" : "nothing-rejected-is-chosen") : "";
+	};
 	const list = [{
 		keys: ["Delete", "Backspace"],
 		does: say("rejects-what-is-chosen-with"),
 		can: idle,
+		lacks: () => lack("reject"),
 		run: (shift) => makeEdit(store, editOf(store.state, "reject", shift))
 	}, {
 		keys: ["r"],
 		does: say("uses-what-is-chosen-again"),
 		can: idle,
+		lacks: () => lack("restore"),
 		run: (shift) => makeEdit(store, editOf(store.state, "restore", shift))
 	}];
 	const edits = declare({
@@ -4242,6 +4319,76 @@ function ofFile(view, { options, marks }) {
 	const { crs = null, geoid_m = null } = options.settings?.placing ?? {};
 	return measured$1(besideBlock(view, options.control, crs ?? view.crs, geoid_m), view, options.marks, marks);
 }
+var AIM_PX = .25;
+var MOST_CELLS = 24;
+function wholeOf(exact, size) {
+	const pixels = latticeOf(size, 4);
+	const there = exact(flat(pixels));
+	if (!there.every(([x, y]) => Number.isFinite(x + y))) return null;
+	const whole = affine(pixels, there);
+	return whole === null ? null : {
+		whole,
+		cells: null,
+		departs: departure(whole, pixels, there) / scaleOf(whole)
+	};
+}
+function sheetOf(exact, size) {
+	const plain = wholeOf(exact, size);
+	if (plain === null || plain.departs <= .5) return plain;
+	const { whole, departs } = plain;
+	const number = Math.min(MOST_CELLS, Math.ceil(Math.sqrt(departs / AIM_PX)));
+	const fine = exact(flat(latticeOf(size, 2 * number)));
+	if (!fine.every(([x, y]) => Number.isFinite(x + y))) return plain;
+	const side = 2 * number + 1;
+	const cells = {
+		number,
+		corners: fine.filter((_, i) => i % side % 2 === 0 && Math.floor(i / side) % 2 === 0),
+		margin: Math.ceil(2 * departs)
+	};
+	return {
+		whole,
+		cells,
+		departs: latticeOf(size, 2 * number).reduce((most, pixel, i) => {
+			const [x, y] = placeIn(cells, size, pixel);
+			return Math.max(most, Math.hypot(x - (fine[i]?.[0] ?? NaN), y - (fine[i]?.[1] ?? NaN)));
+		}, 0) / scaleOf(whole)
+	};
+}
+function placeIn({ number, corners }, { width, height }, [x, y]) {
+	const [across, down] = [x / width * number, y / height * number];
+	const [column, row] = [across, down].map((at) => Math.min(number - 1, Math.max(0, Math.floor(at))));
+	const [u, v] = [across - column, down - row];
+	const corner = (right, below) => corners[(row + below) * (number + 1) + column + right] ?? [NaN, NaN];
+	const between = (axis) => (1 - v) * ((1 - u) * corner(0, 0)[axis] + u * corner(1, 0)[axis]) + v * ((1 - u) * corner(0, 1)[axis] + u * corner(1, 1)[axis]);
+	return [between(0), between(1)];
+}
+function affineOfPart({ whole, cells }, size, [left, top, right, bottom]) {
+	if (cells === null) return whole;
+	const pixels = [
+		[left, top],
+		[right, top],
+		[left, bottom],
+		[right, bottom]
+	];
+	return affine(pixels, pixels.map((pixel) => placeIn(cells, size, pixel))) ?? whole;
+}
+function latticeOf({ width, height }, steps) {
+	const along = Array.from({ length: steps + 1 }, (_, i) => i / steps);
+	return along.flatMap((y) => along.map((x) => [x * width, y * height]));
+}
+function flat(places) {
+	return Float64Array.from(places.flat());
+}
+function throughout(by) {
+	return {
+		whole: by,
+		cells: null,
+		departs: 0
+	};
+}
+function byAffine(by, pixels) {
+	return Array.from({ length: pixels.length / 2 }, (_, i) => mapped(by, pixels[2 * i] ?? NaN, pixels[2 * i + 1] ?? NaN));
+}
 // www/block/state/orthophoto-unit.ts
 var FOOT_M$1 = .3048;
 var MOST_SCALE = .002;
@@ -4287,7 +4434,7 @@ function heightOf(orthophoto, { key, view }) {
 	].map((axis) => medianOf(view, axis));
 	if (x === void 0 || y === void 0 || z === void 0) return null;
 	const between = betweenSystems(orthophoto, view);
-	if (between?.kind === "similar") {
+	if (between?.kind === "affine") {
 		const [, , low = NaN, , , high = NaN] = inSystem$1(view, between.crs, Float64Array.of(x, y, z, x, y, z + APART_M));
 		const metres = low / ((high - low) / APART_M);
 		return unitOfOrthophoto(orthophoto) === "ft" ? metres / FOOT_M : metres;
@@ -4297,6 +4444,173 @@ function heightOf(orthophoto, { key, view }) {
 }
 function medianOf({ points: { positions, taking } }, axis) {
 	return median(positions.subarray(0, 3 * taking).filter((value, i) => i % 3 === axis && !Number.isNaN(value)));
+}
+// www/block/files/degrees.ts
+var [RASTER_TYPE, GEOGRAPHIC_SYSTEM, ANGULAR_UNIT] = [
+	1025,
+	2048,
+	2054
+];
+var [PIXEL_IS_POINT, DEGREE, USER_DEFINED] = [
+	2,
+	9102,
+	32767
+];
+var [WIDTH, HEIGHT$1] = [256, 257];
+var WGS84 = "EPSG:4326";
+var MOST_SHIFT_DEG = .01;
+var LARGEST_DEG = .001;
+async function projectedOf(raster) {
+	const directory = await tiffDirectory(raster.file);
+	const said = directory === null ? saidByWorld(raster) : await saidByTags(raster, directory);
+	const size = said === null ? null : await sizeOf$1(raster.file, directory);
+	if (said === null || size === null) return null;
+	try {
+		const degrees = utmOf(said, size);
+		return degrees === null ? null : {
+			...raster,
+			file: said.file,
+			degrees
+		};
+	} catch {
+		return null;
+	}
+}
+function utmOf({ crs, georeference }, size) {
+	const toDegrees = affineOf(georeference);
+	const [longitude, latitude] = mapped(toDegrees, size.width / 2, size.height / 2);
+	if (!isInDegrees(crs, longitude, latitude)) return null;
+	const zone = Math.min(60, Math.floor((longitude + 180) / 6) + 1);
+	const shownIn = `EPSG:${String((latitude < 0 ? 32700 : 32600) + zone)}`;
+	const sheet = wholeOf((pixels) => planeOf(system_coordinates(shownIn, system_positions(crs, withHeights(byAffine(toDegrees, pixels))))), size);
+	return sheet === null ? null : {
+		crs,
+		georeference,
+		shownIn,
+		world: worldFileOf(sheet.whole),
+		departs: sheet.departs
+	};
+}
+function isInDegrees(crs, longitude, latitude) {
+	if (!(Math.abs(longitude) <= 180 && Math.abs(latitude) <= 90)) return false;
+	const [east = NaN, north = NaN] = system_positions(crs, Float64Array.of(longitude, latitude, 0));
+	return Math.hypot(east - longitude, north - latitude) < MOST_SHIFT_DEG;
+}
+function withHeights(places) {
+	return Float64Array.from(places.flatMap(([x, y]) => [
+		x,
+		y,
+		0
+	]));
+}
+function planeOf(coordinates) {
+	return Array.from({ length: coordinates.length / 3 }, (_, i) => [coordinates[3 * i] ?? NaN, coordinates[3 * i + 1] ?? NaN]);
+}
+function worldFileOf(by) {
+	return `${[
+		by.a,
+		by.b,
+		by.c,
+		by.d,
+		...mapped(by, .5, .5)
+	].map(String).join("\n")}\n`;
+}
+async function saidByTags(raster, directory) {
+	const valuesOf = (tag, most) => directory.entries.find((entry) => entry.tag === tag)?.values(most) ?? Promise.resolve([]);
+	const keys = await geoKeys(directory);
+	const kind = keys.get(MODEL_TYPE);
+	const unit = keys.get(ANGULAR_UNIT) ?? DEGREE;
+	if (kind !== void 0 && kind !== 2 || unit !== DEGREE) return null;
+	const [matrix, scale, ties] = await Promise.all([
+		valuesOf(TRANSFORMATION, 16),
+		valuesOf(SCALE, 3),
+		valuesOf(TIES, 6)
+	]);
+	const place = placeOf$1(matrix, scale, ties);
+	const half = keys.get(RASTER_TYPE) === PIXEL_IS_POINT ? -.5 : 0;
+	const georeference = place === null ? placeOfWorld(raster) : {
+		...place,
+		origin: mapped(affineOf(place), half, half)
+	};
+	const code = keys.get(GEOGRAPHIC_SYSTEM) ?? USER_DEFINED;
+	const own = code === USER_DEFINED || code === 0 ? null : `EPSG:${String(code)}`;
+	const crs = kind === void 0 ? crsBeside(raster, georeference) : own ?? WGS84;
+	return georeference === null || crs === null ? null : {
+		crs,
+		georeference,
+		file: withoutPlace(raster, directory)
+	};
+}
+function placeOf$1(matrix, scale, ties) {
+	const [a, b, , x, d, e, , y] = matrix;
+	if (a !== void 0 && b !== void 0 && x !== void 0 && d !== void 0 && e !== void 0 && y !== void 0) return {
+		origin: [x, y],
+		by_column: [a, d],
+		by_row: [b, e]
+	};
+	const [sx, sy] = scale;
+	const [i, j, , u, v] = ties;
+	if (sx === void 0 || sy === void 0 || i === void 0 || j === void 0 || u === void 0 || v === void 0) return null;
+	return {
+		origin: [u - i * sx, v + j * sy],
+		by_column: [sx, 0],
+		by_row: [0, -sy]
+	};
+}
+function withoutPlace({ file, name }, { little, entries }) {
+	const parts = [];
+	let at = 0;
+	const ofPlace = [
+		SCALE,
+		TIES,
+		TRANSFORMATION,
+		GEO_KEYS
+	];
+	for (const { tag, from } of entries.filter((entry) => ofPlace.includes(entry.tag))) {
+		const number = new DataView(new ArrayBuffer(2));
+		number.setUint16(0, tag - 1, little);
+		parts.push(file.slice(at, from), number);
+		at = from + 2;
+	}
+	return new File([...parts, file.slice(at)], name, { type: file.type });
+}
+function saidByWorld(raster) {
+	const georeference = placeOfWorld(raster);
+	const crs = crsBeside(raster, georeference);
+	return georeference === null || crs === null ? null : {
+		crs,
+		georeference,
+		file: raster.file
+	};
+}
+function crsBeside({ projection }, georeference) {
+	if (projection !== null) return projection.text.trim();
+	return georeference !== null && scaleOf(affineOf(georeference)) < LARGEST_DEG ? WGS84 : null;
+}
+function placeOfWorld({ world }) {
+	const [a = NaN, d = NaN, b = NaN, e = NaN, x = NaN, y = NaN] = (world?.text ?? "").trim().split(/\s+/u).map(Number);
+	if (!Number.isFinite(a + b + d + e + x + y)) return null;
+	return {
+		origin: [x - (a + b) / 2, y - (d + e) / 2],
+		by_column: [a, d],
+		by_row: [b, e]
+	};
+}
+async function sizeOf$1(file, directory) {
+	if (directory === null) {
+		const bitmap = await createImageBitmap(file, { imageOrientation: "none" }).catch(() => null);
+		const size = bitmap === null ? null : {
+			width: bitmap.width,
+			height: bitmap.height
+		};
+		bitmap?.close();
+		return size;
+	}
+	const [width, height] = await Promise.all([WIDTH, HEIGHT$1].map(async (tag) => (await directory.entries.find((entry) => entry.tag === tag)?.values(1))?.[0]));
+	return width === void 0 || height === void 0 ? null : {
+		width,
+		height
+	};
 }
 // www/block/files/ids.ts
 var nextId$1 = 1;
@@ -4345,7 +4659,7 @@ var GroundFiles = class {
 		const { file } = found;
 		this.tell("busy", say("reading-the-orthophoto", { name: file.name }));
 		try {
-			const orthophoto = await this.engine.open(await rasterOf(found));
+			const orthophoto = await this.opened(await rasterOf(found));
 			here();
 			this.store.dispatch({
 				type: "orthophoto",
@@ -4361,6 +4675,17 @@ var GroundFiles = class {
 			here();
 			this.refused(say("cannot-be-used-as-an", { name: file.name }), error);
 			return null;
+		}
+	}
+	async opened(raster) {
+		try {
+			return await this.engine.open(raster);
+		} catch (error) {
+			const projected = error instanceof Cancelled ? null : await projectedOf(raster);
+			if (projected === null) throw error;
+			return await this.engine.open(projected).catch((other) => {
+				throw other instanceof Cancelled ? other : error;
+			});
 		}
 	}
 	takeHeights(found, here) {
@@ -4482,8 +4807,18 @@ function orthophotoText(orthophoto) {
 		width,
 		height,
 		gsd: gsdText$1(gsd, unitOfOrthophoto(orthophoto)),
-		what: epsg === null ? "" : say("epsg", { epsg }),
-		by: by + system
+		what: epsg === null || isLookedAtAlone(orthophoto) ? "" : say("epsg", { epsg }),
+		by: by + system,
+		degrees: degreesText(raster)
+	});
+}
+function degreesText({ degrees = null }) {
+	if (degrees === null) return "";
+	const { crs, shownIn, departs } = degrees;
+	return say("an-orthophoto-in-degrees", {
+		crs,
+		shown: shownIn,
+		departs: departs > .5 ? departs : null
 	});
 }
 function gsdText$1(gsd, unit) {
@@ -6493,13 +6828,14 @@ function keptPlacing(orthophoto, heights, film, options, purpose) {
 		purpose
 	};
 }
-function keptRaster({ id, name, file, world, projection }) {
+function keptRaster({ id, name, file, world, projection, degrees = null }) {
 	return {
 		id,
 		name,
 		file: nameOf$2(file),
 		world,
-		projection
+		projection,
+		degrees
 	};
 }
 function sizeOfPlaced({ result }) {
@@ -6513,11 +6849,12 @@ function placingFrom(given, placed, catalogue, readFile, open) {
 	if (given === void 0) return none;
 	const kept = objectOf(given, "placing");
 	const raster = (value, name) => {
-		const { world, projection } = objectOf(value, name);
+		const { world, projection, degrees } = objectOf(value, name);
 		return {
 			...open(readFile(value, name)),
 			world: orNull(world, (text) => textFrom(text, `${name}.world`)),
-			projection: orNull(projection ?? null, (text) => textFrom(text, `${name}.projection`))
+			projection: orNull(projection ?? null, (text) => textFrom(text, `${name}.projection`)),
+			degrees: orNull(degrees ?? null, (own) => degreesFrom(own, `${name}.degrees`))
 		};
 	};
 	const orthophoto = orNull(kept.orthophoto, (value) => {
@@ -6563,6 +6900,16 @@ function textFrom(given, name) {
 	return {
 		name: likeOf(called, "", `${name}.name`),
 		text: likeOf(text, "", `${name}.text`)
+	};
+}
+function degreesFrom(given, name) {
+	const { crs, georeference, shownIn, world, departs } = objectOf(given, name);
+	return {
+		crs: likeOf(crs, "", `${name}.crs`),
+		georeference: objectOf(georeference, `${name}.georeference`),
+		shownIn: likeOf(shownIn, "", `${name}.shownIn`),
+		world: likeOf(world, "", `${name}.world`),
+		departs: likeOf(departs, 0, `${name}.departs`)
 	};
 }
 function same(options, { placing }) {
@@ -7244,14 +7591,14 @@ function mountAddress(store, modes, pair) {
 		hadBlock = hasBlock;
 	};
 	window.addEventListener("popstate", ({ state }) => {
-		const part = partOf(state);
+		const part = partOf$1(state);
 		if (part !== null) goTo({
 			address: window.location.hash,
 			part
 		});
 	});
 	window.addEventListener("hashchange", () => {
-		if (partOf(window.history.state) === null) goTo({
+		if (partOf$1(window.history.state) === null) goTo({
 			address: window.location.hash,
 			part: null
 		});
@@ -7266,13 +7613,13 @@ function mountAddress(store, modes, pair) {
 	modes.watch(["mode"], () => tell(!modes.state.isKept));
 	pair.watch(() => tell());
 }
-function partOf(entry) {
+function partOf$1(entry) {
 	const part = typeof entry === "object" && entry !== null && "part" in entry ? entry.part : null;
 	return typeof part === "string" && isMode(part) ? part : null;
 }
 function write(part, address, turns) {
 	const { hash, pathname, search } = window.location;
-	const before = partOf(window.history.state);
+	const before = partOf$1(window.history.state);
 	if (hash === (address === "" ? "" : `#${address}`) && before === part) return;
 	const to = address === "" ? pathname + search : `#${address}`;
 	const isOther = before !== null && before !== part || isOtherPage(hash, address);
@@ -7602,6 +7949,7 @@ function makeDock(store, looking, facts, others) {
 	const sources = TABLES.map(([subject, title]) => subject === "observations" ? observationSource(facts, () => draw()) : sourceOf(subject, title));
 	const { element, panels } = tabbed("dock", say("tables"), [...sources.map(({ subject, title }) => [`block-${subject}`, title]), ...others.map(({ id, title }) => [id, title])]);
 	element.prepend(splitter(element));
+	declareLack(panels.slice(0, sources.length), () => store.state.shown === null ? say("needs-a-block") : "");
 	const tables = sources.map((source, i) => oneTable(panels[i] ?? element, store, looking, source));
 	const further = others.map((other, i) => other.make(panels[sources.length + i] ?? element));
 	const draw = () => {
@@ -8683,8 +9031,8 @@ var groundAt = remember((of, { positions }, x, y) => {
 	});
 	const heights = new Map(known);
 	const near = nearest$1([...heights.keys()], at);
-	const plan = affine(near, at);
-	const height = affine(near.map((twice) => [
+	const plan = affine$1(near, at);
+	const height = affine$1(near.map((twice) => [
 		twice[0],
 		twice[1],
 		heights.get(twice) ?? NaN,
@@ -8702,7 +9050,7 @@ function placeOfGround(of, { positions }, at) {
 		];
 		return of.parts[i] === 0 && !Number.isNaN(twice[0]) ? [twice] : [];
 	});
-	return affine(nearest$1(known, at), at);
+	return affine$1(nearest$1(known, at), at);
 }
 function photoMm({ calibrated, given }, [x, y]) {
 	const camera = calibrated ?? given;
@@ -8933,6 +9281,7 @@ var COARSE = 1;
 function measuringKeys(view) {
 	const { measuring } = view;
 	const drafts = () => measuring.draft !== null;
+	const lacksPoint = () => drafts() || view.seen.store.state.selection.chosen !== null ? "" : say("no-point-is-chosen");
 	const shown = (act) => (shift) => {
 		act(shift);
 		view.opening.showDraft();
@@ -8959,6 +9308,7 @@ function measuringKeys(view) {
 		{
 			keys: ["e"],
 			does: say("measures-the-chosen-point"),
+			lacks: lacksPoint,
 			run: shown(() => measuring.toggle(false))
 		},
 		{
@@ -8969,6 +9319,7 @@ function measuringKeys(view) {
 		{
 			keys: ["f"],
 			does: say("matches-the-point-in-the"),
+			lacks: lacksPoint,
 			run: shown(() => view.match())
 		},
 		{
@@ -9050,6 +9401,7 @@ function looking(view) {
 		{
 			keys: ["Escape"],
 			does: say("chooses-nothing"),
+			lacks: () => store.state.selection.chosen === null ? say("nothing-is-chosen") : "",
 			run: () => store.dispatch({
 				type: "choose",
 				choice: null
@@ -10321,26 +10673,30 @@ var OrthophotoTiles = class {
 		this.make = make;
 		this.arrived = arrived;
 	}
-	paint(context, { raster, info }, toSystem, t, [width, height, ratio]) {
+	paint(context, { raster, info }, lies, t, [width, height, ratio]) {
 		this.keepOnly(raster);
-		const toCanvas = after({
+		const ofMap = {
 			a: t.scale,
 			b: 0,
 			c: 0,
 			d: -t.scale,
 			e: t.x,
 			f: t.y
-		}, after(toSystem, affineOf(info.georeference)));
+		};
+		const toCanvas = after(ofMap, lies.whole);
 		const coarsest = Math.max(0, Math.ceil(Math.log2(Math.max(info.width, info.height) / 512)));
 		const level = Math.min(coarsest, Math.max(0, Math.floor(Math.log2(1 / (scaleOf(toCanvas) * ratio)))));
-		const seen = partSeen(toCanvas, info, width, height);
+		const seen = partSeen(toCanvas, info, [width, height], lies.cells?.margin ?? 0);
 		context.save();
-		context.transform(toCanvas.a, toCanvas.b, toCanvas.c, toCanvas.d, toCanvas.e, toCanvas.f);
 		context.imageSmoothingEnabled = scaleOf(toCanvas) * ratio < 2 || level > 0;
 		const missing = tilesOf(coarsest, seen, info).filter((tile) => !this.made.has(nameOf(tile)));
 		for (const tile of tilesOf(level, seen, info)) {
 			if (level < coarsest && !this.made.has(nameOf(tile))) missing.push(tile);
+			const { a, b, c, d, e, f } = lies.cells === null ? toCanvas : after(ofMap, affineOfPart(lies, info, partOf(tile, info)));
+			context.save();
+			context.transform(a, b, c, d, e, f);
 			this.paintTile(context, tile, coarsest, info);
+			context.restore();
 		}
 		context.restore();
 		this.ask(missing, seen);
@@ -10413,7 +10769,7 @@ var OrthophotoTiles = class {
 		this.wanted = [];
 	}
 };
-function partSeen(toCanvas, { width, height }, across, down) {
+function partSeen(toCanvas, { width, height }, [across, down], margin) {
 	const back = inverse(toCanvas);
 	const corners = [
 		mapped(back, 0, 0),
@@ -10422,11 +10778,26 @@ function partSeen(toCanvas, { width, height }, across, down) {
 		mapped(back, across, down)
 	];
 	const [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
+	const [left, top, right, bottom] = [
+		Math.min(...xs) - margin,
+		Math.min(...ys) - margin,
+		Math.max(...xs) + margin,
+		Math.max(...ys) + margin
+	];
 	return [
-		Math.max(0, Math.min(...xs)),
-		Math.max(0, Math.min(...ys)),
-		Math.min(width, Math.max(...xs)),
-		Math.min(height, Math.max(...ys))
+		Math.max(0, left),
+		Math.max(0, top),
+		Math.min(width, right),
+		Math.min(height, bottom)
+	];
+}
+function partOf({ level, column, row }, { width, height }) {
+	const side = 256 * 2 ** level;
+	return [
+		column * side,
+		row * side,
+		Math.min(width, (column + 1) * side),
+		Math.min(height, (row + 1) * side)
 	];
 }
 function tilesOf(level, [left, top, right, bottom], { width, height }) {
@@ -10475,7 +10846,7 @@ var PlaceCrop = class {
 			x: width / 2 - scale * place[0],
 			y: height / 2 + scale * place[1]
 		};
-		this.tiles.paint(context, orthophoto, SAME, t, [
+		this.tiles.paint(context, orthophoto, throughout(affineOf(orthophoto.info.georeference)), t, [
 			width,
 			height,
 			ratio
@@ -10820,10 +11191,11 @@ function toolsOf$2(host, store, view, looking) {
 		if (images !== null) looking.open(images);
 	});
 	pair.title = say("match-the-two-images-that");
+	const light = makeLight("images-", host, set);
 	const more = h("div", {
 		class: "more image-more",
 		id: "images-more"
-	}, labelled("1:1", "images-actual", say("n-1-1-one-image-pixel"), () => view.moving.actualSize()), slider(say("brightness"), "images-brightness", (brightness) => set({ brightness })), slider(say("contrast"), "images-contrast", (contrast) => set({ contrast })), adding, imageLegend("images-menu-legend", view));
+	}, labelled("1:1", "images-actual", say("n-1-1-one-image-pixel"), () => view.moving.actualSize()), ...light.elements, adding, imageLegend("images-menu-legend", view));
 	const other = button(say("other-images"), "images-other", () => view.turn(1), say("other-images-title"));
 	const unfold = h("button", {
 		type: "button",
@@ -10840,8 +11212,7 @@ function toolsOf$2(host, store, view, looking) {
 			[unmeasured, look.unmeasured]
 		]) made.setAttribute("aria-pressed", String(on));
 		vectorSelect.value = String(look.vectors);
-		host.style.setProperty("--brightness", String(look.brightness));
-		host.style.setProperty("--contrast", String(look.contrast));
+		light.show(look);
 		pair.hidden = pairOf(store) === null;
 		other.hidden = shown === null || shownImages(panes, shown.view).length >= shown.view.images.length;
 		const names = shown?.view.images.map(({ name }) => name) ?? [];
@@ -10861,24 +11232,6 @@ function toolsOf$2(host, store, view, looking) {
 function pairOf({ state: { panes, shown } }) {
 	const [a, b, ...more] = shown === null ? [] : shownImages(panes, shown.view);
 	return a === void 0 || b === void 0 || more.length > 0 ? null : [a, b];
-}
-function slider(label, testid, onChange) {
-	const input = h("input", {
-		type: "range",
-		testid
-	});
-	Object.assign(input, {
-		min: "-1",
-		max: "1",
-		step: "0.05",
-		value: "0"
-	});
-	input.addEventListener("input", () => onChange(3 ** Number(input.value)));
-	input.addEventListener("dblclick", () => {
-		input.value = "0";
-		onChange(1);
-	});
-	return h("label", { class: "choice" }, h("span", {}, label), input);
 }
 // www/shared/view/colours.ts
 var NAMES = [
@@ -10927,6 +11280,11 @@ function press(store, looking, choice) {
 	else looking.choose(choice);
 }
 // www/block/view/chart.ts
+var WHERE = {
+	map: say("map"),
+	matrix: say("matrix"),
+	plot: say("plots")
+};
 var Chart = class {
 	store;
 	looking;
@@ -10942,7 +11300,7 @@ var Chart = class {
 		});
 		onRecolour(() => this.layers.redraw());
 		const ofChoice = declare({
-			where: name === "map" ? say("map") : say("matrix"),
+			where: WHERE[name] ?? "",
 			host,
 			list: this.choiceKeys()
 		});
@@ -11026,6 +11384,7 @@ var Chart = class {
 		}, {
 			keys: ["Escape"],
 			does: say("chooses-nothing"),
+			lacks: () => this.store.state.selection.chosen === null ? say("nothing-is-chosen") : "",
 			run: () => this.looking.choose(null)
 		}];
 	}
@@ -11245,19 +11604,19 @@ var MATRIX_VIEW = {
 // www/block/state/laid.ts
 var laidUnder = remember((orthophoto, placed, files, shown, ground, system) => {
 	if (orthophoto === null || shown === null || ground === null || shown.view.layout.kind !== "oriented") return null;
-	if (orthophoto.ofBlock !== null) return orthophoto.ofBlock === shown.key ? {
-		toBlock: SAME,
-		images: 0,
-		crs: null
-	} : null;
-	if (system === "surveyed" && overlap(orthophoto, ground.footprints)) return {
-		toBlock: SAME,
-		images: 0,
+	if (orthophoto.ofBlock !== null) return orthophoto.ofBlock === shown.key ? byOne(orthophoto, SAME) : null;
+	if (system === "surveyed" && overlap(orthophoto, ground.footprints)) return byOne(orthophoto, SAME);
+	return byImages(orthophoto, placed, files, shown, ground) ?? onEarth(orthophoto, shown);
+});
+function byOne({ info }, toBlock, images = 0) {
+	return {
+		toBlock,
+		sheet: throughout(after(toBlock, affineOf(info.georeference))),
+		images,
 		crs: null
 	};
-	return byImages(placed, files, shown, ground) ?? onEarth(orthophoto, shown);
-});
-function byImages(placed, files, shown, { footprints }) {
+}
+function byImages(orthophoto, placed, files, shown, { footprints }) {
 	const [from, to] = [[], []];
 	let images = 0;
 	const index = new Map(shown.view.images.map(({ name }, i) => [name, i]));
@@ -11274,19 +11633,64 @@ function byImages(placed, files, shown, { footprints }) {
 		});
 	}
 	const toBlock = similarity(from, to);
-	return toBlock === null ? null : {
-		toBlock,
-		images,
-		crs: null
-	};
+	return toBlock === null ? null : byOne(orthophoto, toBlock, images);
 }
 function onEarth(orthophoto, { view }) {
 	const between = betweenSystems(orthophoto, view);
-	return between?.kind === "similar" ? {
-		toBlock: inverse(between.toOrthophoto),
+	const { origin } = view;
+	if (between?.kind !== "affine" || origin === null) return null;
+	const toBlock = inverse(between.toOrthophoto);
+	const crs = orthophoto.raster.degrees?.crs ?? between.crs;
+	const height = Math.round(origin.height_m + groundOf(view));
+	return {
+		toBlock,
+		sheet: sheetOnEarth(orthophoto, crs, origin.longitude_deg, origin.latitude_deg, origin.height_m, height) ?? byOne(orthophoto, toBlock).sheet,
 		images: 0,
-		crs: between.crs
-	} : null;
+		crs
+	};
+}
+var sheetOnEarth = remember(({ raster, info }, crs, longitude, latitude, origin, height) => {
+	const toGround = affineOf(raster.degrees?.georeference ?? info.georeference);
+	const exact = (pixels) => {
+		const places = byAffine(toGround, pixels);
+		const onEarth = system_positions(crs, Float64Array.from(places.flatMap(([x, y]) => [
+			x,
+			y,
+			0
+		])));
+		for (let i = 2; i < onEarth.length; i += 3) onEarth[i] = height;
+		const local = local_positions([
+			longitude,
+			latitude,
+			origin,
+			...onEarth
+		]);
+		return places.map((_, i) => [local[3 * i + 3] ?? NaN, local[3 * i + 4] ?? NaN]);
+	};
+	try {
+		return sheetOf(exact, info);
+	} catch {
+		return null;
+	}
+});
+function placeUnder({ crs, toBlock }, view, [x, y]) {
+	const near = mapped(inverse(toBlock), x, y);
+	const { origin } = view;
+	if (crs === null || origin === null) return near;
+	try {
+		const onEarth = geographic_positions([
+			origin.longitude_deg,
+			origin.latitude_deg,
+			origin.height_m,
+			x,
+			y,
+			groundOf(view)
+		]);
+		const [u = NaN, v = NaN] = system_coordinates(crs, onEarth);
+		return [u, v];
+	} catch {
+		return [NaN, NaN];
+	}
 }
 function whyNotLaid(orthophoto, view) {
 	const between = betweenSystems(orthophoto, view);
@@ -12275,7 +12679,7 @@ var BlockMap = class extends Chart {
 		const outlined = (image) => look.footprints && shown.keepsImage(image);
 		const { orthophoto } = this.store.state.placing;
 		const laid = look.orthophoto && orthophoto !== null ? this.laid() : null;
-		if (laid !== null && orthophoto !== null) this.tiles.paint(context, orthophoto, laid.toBlock, t, [
+		if (laid !== null && orthophoto !== null) this.tiles.paint(context, orthophoto, laid.sheet, t, [
 			width,
 			height,
 			this.layers.ratio
@@ -12420,6 +12824,7 @@ var COLOURINGS = [
 	["none", say("not-shown")]
 ];
 var KEYS$2 = say("press-an-image-a-point");
+var DIGITS_OF_DEGREES = 7;
 function mapView(facts, placing, mosaic) {
 	return {
 		name: "map",
@@ -12550,7 +12955,13 @@ function orthophotoNote(map, view) {
 		const why = whyNotLaid(orthophoto, view);
 		return why === "" ? say("the-orthophoto-is-in-another") : why;
 	}
-	if (map.shows.orthophoto && laid.crs !== null) return say("orthophoto-laid-under-by-positions", { crs: laid.crs });
+	if (map.shows.orthophoto && laid.crs !== null) {
+		const { departs } = laid.sheet;
+		return say("orthophoto-laid-under-by-positions", {
+			crs: laid.crs,
+			departs: departs > .5 ? departs : null
+		});
+	}
 	if (!map.shows.orthophoto || laid.images === 0) return "";
 	return say("orthophoto-laid-under-by-placed", { images: laid.images });
 }
@@ -12567,8 +12978,8 @@ function placeText(map, view) {
 	const own = `${system === "geographic" ? "E" : "X"} ${fixed(place[0], 2)}${unit}  ${system === "geographic" ? "N" : "Y"} ${fixed(place[1], 2)}${unit}`;
 	const laid = map.laid();
 	if (laid === null || laid.crs === null) return own;
-	const [x, y] = mapped(inverse(laid.toBlock), place[0], place[1]);
-	return `${own}  ${laid.crs} ${fixed(x, 2)} ${fixed(y, 2)}`;
+	const [x, y] = placeUnder(laid, view, place).map((value) => fixed(value, isLookedAtAlone(map.orthophoto) ? DIGITS_OF_DEGREES : 2));
+	return `${own}  ${laid.crs} ${x ?? ""} ${y ?? ""}`;
 }
 function inWords(map, view) {
 	const ground = map.ground();
@@ -13126,6 +13537,7 @@ function blockKeys(store, { step, leave }) {
 			keys: ["Escape"],
 			does: say("chooses-nothing"),
 			can,
+			lacks: () => store.state.selection.chosen === null ? say("nothing-is-chosen") : "",
 			run: leave
 		}
 	];
@@ -13174,6 +13586,7 @@ function linkKeys(store, hands) {
 			}
 		});
 	};
+	const isAtWork = () => now().draft !== null || now().picks || now().chosen.image !== null;
 	const hasLinks = () => links() > 0;
 	const hasImages = () => tried().length > 0;
 	return [
@@ -13228,6 +13641,7 @@ function linkKeys(store, hands) {
 		{
 			keys: ["Escape"],
 			does: say("gives-up-or-chooses-nothing"),
+			lacks: () => isAtWork() ? "" : say("nothing-is-chosen"),
 			run: leave
 		}
 	];
@@ -13629,7 +14043,7 @@ var OrthophotoPlan = class extends LinkPicture {
 		const { orthophoto } = this.store.state.placing;
 		const { width, height, ratio } = this.layers;
 		if (orthophoto === null) return;
-		this.tiles.paint(context, orthophoto, SAME, t, [
+		this.tiles.paint(context, orthophoto, throughout(affineOf(orthophoto.info.georeference)), t, [
 			width,
 			height,
 			ratio
@@ -14251,7 +14665,7 @@ function purposeField(store) {
 		"running",
 		"notice"
 	], ([{ orthophoto }]) => {
-		select.disabled = orthophoto === null || orthophoto.ofBlock !== null || isBusy(store.state);
+		select.disabled = orthophoto === null || isLookedAtAlone(orthophoto) || orthophoto.ofBlock !== null || isBusy(store.state);
 		select.value = purposeOf(store.state) ?? "";
 	});
 	return h("div", { class: "control compact" }, h("label", { for: select.id }, say("what-is-done-with-it")), select);
@@ -16113,26 +16527,44 @@ function mountStage(host, store, looking, facts, views, dock, invitation) {
 		role: "toolbar",
 		aria: { label: say("view-of-the-block") }
 	}, switched, drawerButton("table", say("table-2"), "block-table", dock), zoom, tools), line, shelf, said(store, looking, facts), dock, keys);
+	const lacksBlock = () => store.state.shown === null ? say("needs-a-block") : "";
+	declareLack([line], lacksBlock);
+	const make = ({ name, title, mount }, isShown) => {
+		if (mounted.has(name)) return;
+		const made = mount(store, looking);
+		mounted.set(name, made);
+		const parts = partsOf(made);
+		for (const part of parts) part.hidden = !isShown;
+		declarePlace(parts, {
+			title,
+			show: () => store.dispatch({
+				type: "stage",
+				view: name
+			})
+		});
+		if (name !== "orthophoto") declareLack(parts, lacksBlock);
+		shelf.append(made.element);
+		tools.append(...made.tools);
+		if (made.legend !== void 0) legends.append(made.legend);
+	};
 	store.watch(["onStage"], ([onStage]) => {
 		const wanted = views.find(({ name }) => name === onStage) ?? views[0];
 		if (wanted === void 0) return;
 		for (const { view, press } of buttons) press.setAttribute("aria-pressed", String(view === wanted));
-		if (!mounted.has(wanted.name)) {
-			const made = wanted.mount(store, looking);
-			mounted.set(wanted.name, made);
-			shelf.append(made.element);
-			tools.append(...made.tools);
-			if (made.legend !== void 0) legends.append(made.legend);
-		}
-		for (const [name, { element, tools: own, legend }] of mounted) for (const part of [
-			element,
-			...own,
-			...legend === void 0 ? [] : [legend]
-		]) part.hidden = name !== wanted.name;
+		make(wanted, true);
+		for (const [name, view] of mounted) for (const part of partsOf(view)) part.hidden = name !== wanted.name;
 		fill(keys, mounted.get(wanted.name)?.keys ?? "");
+	});
+	beforeSearch(() => {
+		for (const view of views) make(view, false);
 	});
 	return line;
 }
+var partsOf = ({ element, tools, legend }) => [
+	element,
+	...tools,
+	...legend === void 0 ? [] : [legend]
+];
 function said(store, looking, facts) {
 	const pointedAt = h("p", {
 		class: "pointed",

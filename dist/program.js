@@ -1662,34 +1662,6 @@ function catalogueInLanguage(catalogue) {
 		flightParameters: flightParameters.map(optionInLanguage)
 	};
 }
-// www/shared/panel/mode.ts
-var MODES = [["pair", say("pair")], ["block", say("block")]];
-function modeSwitch(modes, show) {
-	const skip = document.querySelector(".skip");
-	skip?.addEventListener("click", (event) => {
-		event.preventDefault();
-		document.getElementById(skip.hash.slice(1))?.focus();
-	});
-	const buttons = MODES.map(([mode, text]) => ({
-		mode,
-		press: button(text, `mode-${mode}`, () => show(mode))
-	}));
-	modes.watch(["mode"], ([mode]) => {
-		for (const { mode: own, press } of buttons) press.setAttribute("aria-pressed", String(own === mode));
-		skip?.setAttribute("href", mode === "pair" ? "#view" : "#block-view");
-		document.body.dataset.mode = mode;
-	});
-	return h("div", {
-		class: "mode",
-		role: "group",
-		aria: { label: say("what-is-matched") }
-	}, ...buttons.map(({ press }) => press));
-}
-function showIn(modes, mode, elements) {
-	modes.watch(["mode"], ([now]) => {
-		for (const element of elements) element.hidden = now !== mode;
-	});
-}
 // www/shared/engine/breath.ts
 var breath = () => new Promise((resolve) => setTimeout(resolve));
 var PATIENCE_MS$2 = 1e3;
@@ -1771,6 +1743,141 @@ function reveal$1(element) {
 	const { top } = element.getBoundingClientRect();
 	if (top < 0 || top > .8 * window.innerHeight) element.scrollIntoView({ block: "start" });
 }
+// www/shared/panel/tabs.ts
+function tabbed(place, label, tabs) {
+	const buttons = tabs.map(([id, text]) => h("button", {
+		type: "button",
+		role: "tab",
+		id: `tab-${id}`,
+		testid: `tab-${id}`,
+		aria: { controls: `panel-${id}` }
+	}, text));
+	const panels = tabs.map(([id]) => h("div", {
+		class: "panel",
+		role: "tabpanel",
+		id: `panel-${id}`,
+		tabindex: 0,
+		aria: { labelledby: `tab-${id}` }
+	}));
+	const choose = (chosen) => {
+		buttons.forEach((tab, i) => {
+			tab.setAttribute("aria-selected", String(i === chosen));
+			tab.tabIndex = i === chosen ? 0 : -1;
+		});
+		panels.forEach((panel, i) => {
+			panel.hidden = i !== chosen;
+		});
+	};
+	buttons.forEach((tab, i) => {
+		tab.addEventListener("click", () => choose(i));
+		tab.addEventListener("keydown", (event) => {
+			const forward = LANGUAGES[LANGUAGE].direction === "rtl" ? -1 : 1;
+			const step = {
+				ArrowRight: forward,
+				ArrowLeft: -forward
+			}[event.key];
+			if (step === void 0) return;
+			event.preventDefault();
+			const next = (i + step + tabs.length) % tabs.length;
+			buttons[next]?.click();
+			buttons[next]?.focus();
+		});
+	});
+	choose(0);
+	return {
+		element: h("section", {
+			class: place === "dock" ? "dock" : `side of-${place}`,
+			aria: { label }
+		}, h("h2", { class: "visually-hidden" }, label), h("div", {
+			class: "tabs",
+			role: "tablist",
+			aria: { label }
+		}, ...buttons), ...panels),
+		panels
+	};
+}
+function showTab(id) {
+	document.getElementById(id)?.click();
+}
+// www/shared/panel/reach.ts
+var places = new WeakMap();
+var lacks = new WeakMap();
+function declarePlace(elements, place) {
+	for (const element of elements) places.set(element, place);
+}
+function declareLack(elements, lack) {
+	for (const element of elements) lacks.set(element, lack);
+}
+function around(element) {
+	const all = [];
+	for (let now = element; now !== null; now = now.parentElement) all.push(now);
+	return all;
+}
+var placeOf$1 = (hidden) => {
+	const place = places.get(hidden);
+	return place?.can?.() === false ? void 0 : place;
+};
+var isHiddenItself = (element) => element.hasAttribute("hidden");
+var isPanel = (element) => element.getAttribute("role") === "tabpanel";
+var tabOfPanel = (panel) => document.getElementById(panel.getAttribute("aria-labelledby") ?? "");
+function reachable(element) {
+	return around(element).filter(isHiddenItself).every((hidden) => placeOf$1(hidden) !== void 0 || isPanel(hidden) && tabOfPanel(hidden)?.hidden === false);
+}
+function waysTo(element) {
+	return around(element).filter(isHiddenItself).reverse().flatMap((one) => placeOf$1(one) ?? []);
+}
+function partOf(element) {
+	return around(element).reverse().flatMap((one) => places.get(one) ?? [])[0] ?? null;
+}
+function lackOf(element) {
+	return around(element).reverse().map((one) => lacks.get(one)?.() ?? "").find((text) => text !== "") ?? "";
+}
+function reveal(element) {
+	for (const one of around(element).reverse()) {
+		if (isHiddenItself(one)) placeOf$1(one)?.show();
+		if (one.classList.contains("side")) setDrawer(one.classList.contains("of-settings") ? "settings" : "details", true);
+		if (one.classList.contains("dock")) setDrawer("table", true);
+		if (isPanel(one) && isHiddenItself(one)) showTab(one.getAttribute("aria-labelledby") ?? "");
+		if (one.matches("[id].more, [id].menu") && !element.checkVisibility()) unfold(one.id);
+		if (one instanceof HTMLDetailsElement) one.open = true;
+	}
+}
+function unfold(menu) {
+	const press = document.querySelector(`[aria-controls="${menu}"][aria-expanded="false"]`);
+	if (press?.checkVisibility() === true) press.click();
+}
+// www/shared/panel/mode.ts
+var MODES = [["pair", say("pair")], ["block", say("block")]];
+function modeSwitch(modes, show) {
+	const skip = document.querySelector(".skip");
+	skip?.addEventListener("click", (event) => {
+		event.preventDefault();
+		document.getElementById(skip.hash.slice(1))?.focus();
+	});
+	const buttons = MODES.map(([mode, text]) => ({
+		mode,
+		press: button(text, `mode-${mode}`, () => show(mode))
+	}));
+	modes.watch(["mode"], ([mode]) => {
+		for (const { mode: own, press } of buttons) press.setAttribute("aria-pressed", String(own === mode));
+		skip?.setAttribute("href", mode === "pair" ? "#view" : "#block-view");
+		document.body.dataset.mode = mode;
+	});
+	return h("div", {
+		class: "mode",
+		role: "group",
+		aria: { label: say("what-is-matched") }
+	}, ...buttons.map(({ press }) => press));
+}
+function showIn(modes, mode, elements) {
+	declarePlace(elements, {
+		title: say(mode),
+		show: () => modes.dispatch(mode)
+	});
+	modes.watch(["mode"], ([now]) => {
+		for (const element of elements) element.hidden = now !== mode;
+	});
+}
 // www/shared/panel/picker.ts
 function fileInput({ testid, label, accept, multiple = false, folder = false }, take) {
 	const input = h("input", {
@@ -1850,77 +1957,6 @@ function lay(element, at) {
 	const top = below + height > clientHeight && box.top - GAP$1 - height >= 0 ? box.top - GAP$1 - height : below;
 	element.style.left = `${String(Math.max(GAP$1, Math.min(wanted, clientWidth - GAP$1 - width)))}px`;
 	element.style.top = `${String(top)}px`;
-}
-// www/shared/panel/tabs.ts
-function tabbed(place, label, tabs) {
-	const buttons = tabs.map(([id, text]) => h("button", {
-		type: "button",
-		role: "tab",
-		id: `tab-${id}`,
-		testid: `tab-${id}`,
-		aria: { controls: `panel-${id}` }
-	}, text));
-	const panels = tabs.map(([id]) => h("div", {
-		class: "panel",
-		role: "tabpanel",
-		id: `panel-${id}`,
-		tabindex: 0,
-		aria: { labelledby: `tab-${id}` }
-	}));
-	const choose = (chosen) => {
-		buttons.forEach((tab, i) => {
-			tab.setAttribute("aria-selected", String(i === chosen));
-			tab.tabIndex = i === chosen ? 0 : -1;
-		});
-		panels.forEach((panel, i) => {
-			panel.hidden = i !== chosen;
-		});
-	};
-	buttons.forEach((tab, i) => {
-		tab.addEventListener("click", () => choose(i));
-		tab.addEventListener("keydown", (event) => {
-			const forward = LANGUAGES[LANGUAGE].direction === "rtl" ? -1 : 1;
-			const step = {
-				ArrowRight: forward,
-				ArrowLeft: -forward
-			}[event.key];
-			if (step === void 0) return;
-			event.preventDefault();
-			const next = (i + step + tabs.length) % tabs.length;
-			buttons[next]?.click();
-			buttons[next]?.focus();
-		});
-	});
-	choose(0);
-	return {
-		element: h("section", {
-			class: place === "dock" ? "dock" : `side of-${place}`,
-			aria: { label }
-		}, h("h2", { class: "visually-hidden" }, label), h("div", {
-			class: "tabs",
-			role: "tablist",
-			aria: { label }
-		}, ...buttons), ...panels),
-		panels
-	};
-}
-function showTab(id) {
-	document.getElementById(id)?.click();
-}
-// www/shared/panel/reach.ts
-function reachable(element) {
-	if (element.closest("[hidden]:not([role=\"tabpanel\"])") !== null) return false;
-	return element.closest("main")?.checkVisibility() !== false;
-}
-function reveal(element) {
-	const side = element.closest(".side");
-	if (side !== null) setDrawer(side.classList.contains("of-settings") ? "settings" : "details", true);
-	if (element.closest(".dock") !== null) setDrawer("table", true);
-	const tab = element.closest("[role=\"tabpanel\"][hidden]")?.getAttribute("aria-labelledby");
-	if (tab != null) showTab(tab);
-	const menu = element.checkVisibility() ? null : element.closest("[id].more, [id].menu");
-	if (menu !== null) document.querySelector(`[aria-controls="${menu.id}"][aria-expanded="false"]`)?.click();
-	for (let fold = element.closest("details"); fold !== null; fold = fold.parentElement?.closest("details") ?? null) fold.open = true;
 }
 // www/shared/state/store.ts
 var Holder = class {
@@ -2147,6 +2183,12 @@ function inSight({ edits, done }, reach) {
 		to: Math.min(edits.length, done + reach)
 	};
 }
+// www/shared/state/light.ts
+var OWN_LIGHT = {
+	brightness: 1,
+	contrast: 1
+};
+var isOwnLight = ({ brightness, contrast }) => brightness === OWN_LIGHT.brightness && contrast === OWN_LIGHT.contrast;
 // www/shared/engine/pool.ts
 var MOST_WORKERS = 8;
 var WorkerPool = class {
@@ -2196,7 +2238,7 @@ function cameraFrom(camera, origin) {
 }
 // www/shared/state/calibrations.ts
 var NAME$3 = "tiepoint-cameras";
-var MOST = 50;
+var MOST$1 = 50;
 var all = null;
 function read$1() {
 	try {
@@ -2222,7 +2264,7 @@ function remembered$1() {
 	return all;
 }
 function keep(kept) {
-	all = kept.slice(0, MOST);
+	all = kept.slice(0, MOST$1);
 	keepChoice(NAME$3, JSON.stringify(all));
 }
 var lensOf = ({ radial = [
@@ -2359,6 +2401,8 @@ function showSteps(undo, redo, history, nameOf) {
 		made.setAttribute("aria-label", name);
 		made.hidden = history.edits.length === 0;
 	}
+	declareLack([undo], () => names.undo === null ? say("no-edit-to-undo") : "");
+	declareLack([redo], () => names.redo === null ? say("no-edit-to-redo") : "");
 	undo.disabled = names.undo === null;
 	redo.disabled = names.redo === null;
 }
@@ -2664,6 +2708,79 @@ function save(blob, name) {
 	window.setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
 	return name;
 }
+// www/shared/files/tiff-directory.ts
+var MOST_ENTRIES = 4096;
+var KINDS$1 = new Map([
+	[3, [2, (view, at, little) => view.getUint16(at, little)]],
+	[4, [4, (view, at, little) => view.getUint32(at, little)]],
+	[12, [8, (view, at, little) => view.getFloat64(at, little)]],
+	[16, [8, (view, at, little) => Number(view.getBigUint64(at, little))]]
+]);
+async function tiffDirectory(file) {
+	const read = async (from, length) => new DataView(await file.slice(from, from + length).arrayBuffer());
+	try {
+		const head = await read(0, 16);
+		const order = head.getUint16(0);
+		const little = order === 18761;
+		const version = head.getUint16(2, little);
+		if (!little && order !== 19789 || version !== 42 && version !== 43) return null;
+		const isBig = version === 43;
+		const at = isBig ? Number(head.getBigUint64(8, little)) : head.getUint32(4, little);
+		const [before, each, offset] = isBig ? [
+			8,
+			20,
+			12
+		] : [
+			2,
+			12,
+			8
+		];
+		const start = await read(at, before);
+		const entries = Math.min(MOST_ENTRIES, isBig ? Number(start.getBigUint64(0, little)) : start.getUint16(0, little));
+		const directory = await read(at + before, entries * each);
+		const entry = (index) => {
+			const own = index * each;
+			const type = directory.getUint16(own + 2, little);
+			const count = isBig ? Number(directory.getBigUint64(own + 4, little)) : directory.getUint32(own + 4, little);
+			const values = async (most) => {
+				const kind = KINDS$1.get(type);
+				const number = Math.min(most, count);
+				if (kind === void 0 || number === 0) return [];
+				const [size, value] = kind;
+				const isHere = size * count <= each - offset;
+				const place = isBig ? Number(directory.getBigUint64(own + offset, little)) : directory.getUint32(own + offset, little);
+				const view = isHere ? directory : await read(place, size * number);
+				return Array.from({ length: number }, (_, i) => value(view, (isHere ? own + offset : 0) + size * i, little));
+			};
+			return {
+				tag: directory.getUint16(own, little),
+				type,
+				count,
+				from: at + before + own,
+				values
+			};
+		};
+		return {
+			little,
+			entries: Array.from({ length: entries }, (_, index) => entry(index))
+		};
+	} catch {
+		return null;
+	}
+}
+async function geoKeys(directory) {
+	const all = await directory.entries.find(({ tag, type }) => tag === 34735 && type === 3)?.values(4 * MOST_ENTRIES) ?? [];
+	const keys = new Map();
+	for (let at = 4; at + 4 <= all.length; at += 4) if (all[at + 1] === 0) keys.set(all[at] ?? 0, all[at + 3] ?? 0);
+	return keys;
+}
+var GEO_KEYS = 34735;
+var [SCALE, TIES, TRANSFORMATION] = [
+	33550,
+	33922,
+	34264
+];
+var MODEL_TYPE = 1024;
 // node_modules/fflate/esm/browser.js
 var u8 = Uint8Array;
 var u16 = Uint16Array;
@@ -3732,53 +3849,26 @@ async function kindOf$2(file, hasWorld) {
 	if (TIFF.test(file.name) || file.type === "image/tiff") return kindOfTiff(await tiffTags(file), hasWorld);
 	return hasWorld && (file.type.startsWith("image/") || PICTURE.test(file.name)) ? "orthophoto" : "photograph";
 }
-var [BITS, SAMPLES, FORMAT, SCALE, TIES, TRANSFORMATION, KEYS] = [
+var [BITS, SAMPLES, FORMAT] = [
 	258,
 	277,
-	339,
-	33550,
-	33922,
-	34264,
-	34735
+	339
 ];
 var UNSIGNED = 1;
-var MODEL_TYPE = 1024;
-var GEOGRAPHIC = 2;
 function kindOfTiff(tags, hasWorld) {
-	const isPlaced = hasWorld || tags.has(TRANSFORMATION) || tags.has(SCALE) && tags.has(TIES) || tags.has(KEYS);
-	if ((tags.get(SAMPLES) ?? 1) === 1 && isPlaced && ((tags.get(FORMAT) ?? UNSIGNED) !== UNSIGNED || (tags.get(BITS) ?? 1) > 16)) return tags.get(MODEL_TYPE) === GEOGRAPHIC ? "degrees" : "heights";
+	const isPlaced = hasWorld || tags.has(TRANSFORMATION) || tags.has(SCALE) && tags.has(TIES) || tags.has(34735);
+	if ((tags.get(SAMPLES) ?? 1) === 1 && isPlaced && ((tags.get(FORMAT) ?? UNSIGNED) !== UNSIGNED || (tags.get(BITS) ?? 1) > 16)) return tags.get(1024) === 2 ? "degrees" : "heights";
 	return isPlaced ? "orthophoto" : "photograph";
 }
-var MOST_ENTRIES = 4096;
+var FEW = 64;
 async function tiffTags(file) {
-	const read = async (from, length) => new DataView(await file.slice(from, from + length).arrayBuffer());
 	const tags = new Map();
+	const directory = await tiffDirectory(file);
+	if (directory === null) return tags;
 	try {
-		const head = await read(0, 16);
-		const little = head.getUint16(0) === 18761;
-		const isBig = head.getUint16(2, little) === 43;
-		const at = isBig ? Number(head.getBigUint64(8, little)) : head.getUint32(4, little);
-		const [before, each] = isBig ? [8, 20] : [2, 12];
-		const start = await read(at, before);
-		const entries = Math.min(MOST_ENTRIES, isBig ? Number(start.getBigUint64(0, little)) : start.getUint16(0, little));
-		const directory = await read(at + before, entries * each);
-		for (let entry = 0; entry < entries; entry++) {
-			const from = entry * each;
-			const values = isBig ? Number(directory.getBigUint64(from + 4, little)) : directory.getUint32(from + 4, little);
-			const isShort = directory.getUint16(from + 2, little) === 3 && values <= (isBig ? 4 : 2);
-			if (directory.getUint16(from, little) === KEYS) await keys(from, values);
-			tags.set(directory.getUint16(from, little), isShort ? directory.getUint16(from + (isBig ? 12 : 8), little) : await first(from, values));
-		}
-		async function keys(from, values) {
-			const offset = isBig ? Number(directory.getBigUint64(from + 12, little)) : directory.getUint32(from + 8, little);
-			const all = await read(offset, 2 * Math.min(values, 4 * MOST_ENTRIES));
-			for (let at = 8; at + 8 <= all.byteLength; at += 8) if (all.getUint16(at, little) === MODEL_TYPE && all.getUint16(at + 2, little) === 0) tags.set(MODEL_TYPE, all.getUint16(at + 6, little));
-		}
-		async function first(from, values) {
-			if (!(directory.getUint16(from + 2, little) === 3 && values < 64)) return 0;
-			const offset = isBig ? Number(directory.getBigUint64(from + 12, little)) : directory.getUint32(from + 8, little);
-			return (await read(offset, 2)).getUint16(0, little);
-		}
+		for (const { tag, type, count, values } of directory.entries) tags.set(tag, type === 3 && count < FEW ? (await values(1))[0] ?? 0 : 0);
+		const kind = (await geoKeys(directory)).get(MODEL_TYPE);
+		if (kind !== void 0) tags.set(MODEL_TYPE, kind);
 	} catch {}
 	return tags;
 }
@@ -4988,6 +5078,53 @@ function showAll(controls, groups, settings, acting) {
 	}
 	for (const { own, element } of groups) element.hidden = !own.some(used);
 }
+// www/shared/panel/light.ts
+var MOST = 3;
+function makeLight(prefix, host, set) {
+	const brightness = slider(say("brightness"), `${prefix}brightness`, (share) => set({ brightness: share }));
+	const contrast = slider(say("contrast"), `${prefix}contrast`, (share) => set({ contrast: share }));
+	const reset = button(say("light-reset"), `${prefix}light-reset`, () => {
+		set(OWN_LIGHT);
+		passFocus(reset, [brightness.input]);
+	});
+	reset.title = say("light-reset-title");
+	return {
+		elements: [
+			brightness.element,
+			contrast.element,
+			reset
+		],
+		show: (light) => {
+			brightness.show(light.brightness);
+			contrast.show(light.contrast);
+			reset.disabled = isOwnLight(light);
+			host.style.setProperty("--light", isOwnLight(light) ? "none" : `brightness(${String(light.brightness)}) contrast(${String(light.contrast)})`);
+		}
+	};
+}
+function slider(label, testid, onChange) {
+	const input = h("input", {
+		type: "range",
+		testid
+	});
+	Object.assign(input, {
+		min: "-1",
+		max: "1",
+		step: "0.05",
+		value: "0"
+	});
+	input.addEventListener("input", () => onChange(MOST ** Number(input.value)));
+	input.addEventListener("dblclick", () => onChange(1));
+	const show = (share) => {
+		input.value = String(Math.log(share) / Math.log(MOST));
+		input.setAttribute("aria-valuetext", say("light-percent", { percent: Math.round(100 * share) }));
+	};
+	return {
+		element: h("label", { class: "choice" }, h("span", {}, label), input),
+		input,
+		show
+	};
+}
 // www/shared/panel/menu.ts
 function unfolded(testid, ...tools) {
 	const more = h("div", {
@@ -5187,7 +5324,11 @@ var Layers = class {
 		canvas.width = Math.round(this.width * this.ratio);
 		canvas.height = Math.round(this.height * this.ratio);
 		const context = contextOf(canvas);
-		for (const name of this.names) context.drawImage(this.contexts[name].canvas, 0, 0);
+		for (const name of this.names) {
+			const layer = this.contexts[name].canvas;
+			context.filter = getComputedStyle(layer).filter;
+			context.drawImage(layer, 0, 0);
+		}
 		return canvas;
 	}
 	resize() {
@@ -5321,7 +5462,7 @@ var RESIDUAL = "#f0e442";
 var RESIDUAL_REJECTED = "#ff7a1a";
 // www/shared/view/pointer.ts
 var ARM = 12;
-var LENS_SIDE$1 = 176;
+var LENS_SIDE = 176;
 function ring(context, pane, at, radius, colour, width) {
 	const [x, y] = toCanvas(pane.transform, at[0], at[1]);
 	context.beginPath();
@@ -5392,7 +5533,7 @@ function drawCross(context, pane, at, active) {
 	});
 }
 function lensRect([x, y], bounds) {
-	const side = Math.min(LENS_SIDE$1, bounds.width, bounds.height);
+	const side = Math.min(LENS_SIDE, bounds.width, bounds.height);
 	const left = x + 24 + side > bounds.width ? x - 24 - side : x + 24;
 	const top = y + 24 + side > bounds.height ? y - 24 - side : y + 24;
 	return {
@@ -5663,6 +5804,369 @@ function facts(list) {
 		];
 	}));
 }
+// www/shared/panel/offers.ts
+function actions() {
+	const buttons = [...document.querySelectorAll("button")].filter(isNamed);
+	const offers = [
+		...ofButtons(buttons),
+		...ofCommands(buttons),
+		...ofLists(),
+		...ofSettings()
+	];
+	const rank = ({ away, disabled = false }) => (disabled ? MOST_AWAY : 0) + away;
+	const known = new Set();
+	return offers.sort((a, b) => rank(a) - rank(b)).filter(({ name, more }) => {
+		const own = `${name}\n${more}`;
+		const isFirst = !known.has(own);
+		if (name === "") return false;
+		known.add(own);
+		return isFirst;
+	});
+}
+var MOST_AWAY = 9;
+function offer(element, texts, made, off) {
+	const ways = waysTo(element);
+	const disabled = off !== false;
+	const more = [
+		disabled ? off : "",
+		...ways.map(({ title }) => title),
+		...texts
+	];
+	return {
+		...made,
+		disabled,
+		away: ways.length,
+		more: [...new Set(more)].filter((text) => text !== "").join(" · ")
+	};
+}
+var isNamed = (button) => button.closest("dialog, table, .control, .history, .facts") === null && !button.matches(UNNAMED) && (reachable(button) || button.closest("[role=\"toolbar\"]") !== null);
+function ofButtons(buttons) {
+	const isEmpty = (button) => button.closest("[role=\"tabpanel\"]") !== null && lackOf(button) !== "";
+	const isOff = (button) => button.disabled || !reachable(button) || isEmpty(button);
+	return once(buttons.map((button) => ({
+		button,
+		off: Number(isOff(button)),
+		away: waysTo(button).length
+	})).sort((a, b) => a.off - b.off || a.away - b.away).map(({ button }) => button)).map((button) => {
+		const texts = [
+			groupOf(twinOf(button) ?? button),
+			tabOf(button),
+			kindOf$1(button),
+			button.title
+		].filter((text) => !saysName(button, text));
+		const run = () => {
+			reveal(button);
+			button.click();
+		};
+		return offer(button, texts, {
+			name: nameOf(button),
+			keys: keysOfButton(button),
+			run
+		}, isOff(button) && lackOf(button));
+	});
+}
+function ofCommands(buttons) {
+	return declared().filter(({ host, list }) => list.length > 0 && reachable(host)).flatMap((of) => {
+		const part = partOf(of.host);
+		const around = buttons.filter((button) => part === null ? waysTo(button).length === 0 : partOf(button) === part);
+		const taken = new Set(around.flatMap(keysOfButton));
+		return of.list.filter(({ keys }) => !keys.some((key) => taken.has(key))).map((command) => ofCommand(of, command));
+	});
+}
+function ofCommand({ where, host }, command) {
+	const { keys, does, can, run, lacks } = command;
+	const possible = () => can?.() !== false;
+	const lack = lackOf(host) || (lacks?.() ?? "");
+	const go = () => {
+		if (host.checkVisibility()) return run(false);
+		reveal(host);
+		if (host instanceof HTMLElement) host.focus();
+		afterFrame(() => {
+			if (possible()) run(false);
+		})();
+	};
+	return offer(host, [where], {
+		name: sentenceOf(does),
+		keys,
+		run: go
+	}, (!possible() || lack !== "") && lack);
+}
+function ofSettings() {
+	return [...document.querySelectorAll(".control label")].filter(reachable).map((label) => {
+		const group = label.closest("fieldset, details")?.querySelector("legend, summary")?.firstChild?.textContent ?? "";
+		const run = () => {
+			reveal(label);
+			label.control?.focus();
+		};
+		return offer(label, [say("setting"), group], {
+			name: label.textContent,
+			keys: [],
+			run
+		}, false);
+	});
+}
+function ofLists() {
+	return [...document.querySelectorAll("select, input[type=\"range\"]")].filter((control) => control.closest("dialog, table, .control") === null && reachable(control)).flatMap((control) => {
+		const about = control.ariaLabel ?? control.labels?.[0]?.querySelector("span")?.textContent ?? "";
+		const goTo = () => {
+			reveal(control);
+			control.focus();
+		};
+		const made = (name, run) => offer(control, [groupOf(control)], {
+			name,
+			keys: [],
+			run
+		}, control.disabled && lackOf(control));
+		if (!(control instanceof HTMLSelectElement)) return [made(about, goTo)];
+		return [...control.options].filter((option) => !option.selected && !option.disabled).map((option) => made(say("action-about", {
+			about,
+			action: option.text
+		}), () => {
+			control.value = option.value;
+			control.dispatchEvent(new Event("change", { bubbles: true }));
+			goTo();
+		}));
+	});
+}
+var UNNAMED = ".close, .menu-button, #export-menu";
+function nameOf(made) {
+	const label = made.getAttribute("aria-label");
+	const shown = label ?? made.textContent;
+	const own = /\p{L}|\d/u.test(shown) || made.title === "" ? shown : made.title;
+	const about = label === null && keysOfButton(made).length === 0 ? twinOf(made)?.getAttribute("aria-label") : null;
+	return about == null ? own : say("action-about", {
+		about,
+		action: own
+	});
+}
+var twinOf = (made) => made.closest(".twin");
+var saysName = (button, text) => [nameOf(button), `${nameOf(button)} (${keysOfButton(button)[0] ?? ""})`].includes(text);
+var keysOfButton = (button) => button.getAttribute("aria-keyshortcuts")?.replaceAll("Control", "Ctrl").split(" ") ?? [];
+function once(buttons) {
+	const known = new Set();
+	return buttons.filter((button) => {
+		const keys = keysOfButton(button);
+		const name = [
+			partOf(button)?.title ?? "",
+			nameOf(button),
+			...keys
+		].join("\n");
+		const isFirst = !known.has(name);
+		if (keys.length > 0) known.add(name);
+		return isFirst;
+	});
+}
+function tabOf(made) {
+	const tab = made.closest("[role=\"tabpanel\"]")?.getAttribute("aria-labelledby");
+	return tab == null ? "" : document.getElementById(tab)?.textContent ?? "";
+}
+var kindOf$1 = (made) => made.getAttribute("role") === "tab" ? say("tab") : "";
+var sentenceOf = (does) => does.charAt(0).toUpperCase() + does.slice(1);
+var groupOf = (made) => made.parentElement?.closest("[aria-label]")?.getAttribute("aria-label") ?? "";
+// www/shared/panel/actions.ts
+var late = new Set();
+function beforeSearch(make) {
+	late.add(make);
+}
+function makeLate(made) {
+	hasten();
+	let waits = 0;
+	for (const make of [...late]) {
+		late.delete(make);
+		const making = make();
+		if (!(making instanceof Promise)) continue;
+		waits += 1;
+		making.then(made, () => {
+			late.add(make);
+			made();
+		});
+	}
+	return waits;
+}
+function mountActions(press) {
+	const keys = new KeyList();
+	const search = new Search(() => keys.open());
+	document.body.append(keys.dialog, search.dialog);
+	press.addEventListener("click", () => search.open());
+	const everywhere = declare({
+		where: say("anywhere"),
+		host: document.body,
+		list: [{
+			keys: ["Ctrl+K"],
+			does: say("finds-any-action"),
+			run: () => search.open()
+		}, {
+			keys: ["?"],
+			does: say("lists-all-keys"),
+			run: () => keys.open()
+		}]
+	});
+	document.addEventListener("keydown", (event) => {
+		const typing = event.target instanceof Element && event.target.closest("input, textarea, select, dialog") !== null;
+		const held = event.ctrlKey || event.metaKey;
+		if (event.altKey || typing && !held || document.querySelector("dialog[open]") !== null) return;
+		if (everywhere(held ? `Ctrl+${event.key.toUpperCase()}` : event.key, event.shiftKey)) event.preventDefault();
+	});
+}
+var Search = class {
+	dialog = h("dialog", {
+		class: "dialog search",
+		testid: "search",
+		aria: { label: say("find-an-action") }
+	});
+	input = h("input", {
+		type: "text",
+		id: "search-text",
+		testid: "search-text",
+		role: "combobox"
+	});
+	list = h("ul", {
+		id: "search-list",
+		class: "found",
+		testid: "search-list",
+		role: "listbox",
+		aria: { label: say("actions") }
+	});
+	said = h("p", {
+		class: "note",
+		role: "status",
+		testid: "search-said"
+	});
+	all = [];
+	found = [];
+	active = 0;
+	waits = 0;
+	constructor(keys) {
+		const close = button(say("close-2"), "search-close", () => this.dialog.close());
+		const list = button(say("all-keys"), "search-keys", () => {
+			this.dialog.close();
+			keys();
+		});
+		this.input.autocomplete = "off";
+		for (const [name, value] of [
+			["controls", this.list.id],
+			["expanded", "true"],
+			["autocomplete", "list"]
+		]) this.input.setAttribute(`aria-${name}`, value);
+		this.dialog.append(h("label", { for: this.input.id }, say("what-do-you-want-to")), this.input, this.list, h("div", { class: "dialog-head" }, this.said, h("div", { class: "buttons" }, list, close)));
+		this.input.addEventListener("input", () => this.narrow());
+		this.input.addEventListener("keydown", (event) => {
+			const by = {
+				ArrowDown: 1,
+				ArrowUp: -1
+			}[event.key];
+			if (event.key === "Enter") this.run(this.active);
+			else if (by !== void 0) this.mark(this.active + by);
+			else return;
+			event.preventDefault();
+		});
+	}
+	open() {
+		this.gather();
+		this.input.value = "";
+		this.dialog.showModal();
+		this.narrow();
+		this.input.focus();
+	}
+	gather() {
+		this.waits += makeLate(() => {
+			this.waits -= 1;
+			this.arrived();
+		});
+		this.list.setAttribute("aria-busy", String(this.waits > 0));
+		this.all = actions();
+	}
+	arrived() {
+		if (!this.dialog.open) return;
+		const now = this.found[this.active];
+		this.gather();
+		this.narrow();
+		const again = this.found.findIndex(({ name, more }) => name === now?.name && more === now.more);
+		if (again > 0) this.mark(again);
+	}
+	narrow() {
+		const words = this.input.value.toLowerCase().split(/\s+/u);
+		const text = ({ name, more }) => `${name} ${more}`.toLowerCase();
+		const rank = ({ name, disabled }) => (words.every((word) => name.toLowerCase().includes(word)) ? 0 : 1) + (disabled === true ? 2 : 0);
+		this.found = this.all.filter((action) => words.every((word) => text(action).includes(word))).sort((a, b) => rank(a) - rank(b));
+		const rows = this.found.map(({ name, more, keys, disabled = false }, place) => {
+			const row = h("li", {
+				role: "option",
+				id: `search-${String(place)}`,
+				aria: disabled ? { disabled: "true" } : {}
+			}, h("span", {}, name), h("small", {}, [disabled ? say("not-possible-now") : "", more].filter((text) => text !== "").join(" · ")), keys.length === 0 ? null : keysOf(keys));
+			row.addEventListener("click", () => this.run(place));
+			return row;
+		});
+		fill(this.list, ...rows);
+		const { length } = this.found;
+		this.said.textContent = length === 0 ? say("no-action-has-these-words") : say("so-many-actions", { actions: length });
+		this.mark(0);
+	}
+	mark(wanted) {
+		const rows = [...this.list.children];
+		this.active = rows.length === 0 ? 0 : (wanted + rows.length) % rows.length;
+		for (const [place, option] of rows.entries()) option.setAttribute("aria-selected", String(place === this.active));
+		const row = rows[this.active];
+		if (row === void 0) this.input.removeAttribute("aria-activedescendant");
+		else this.input.setAttribute("aria-activedescendant", row.id);
+		row?.scrollIntoView({ block: "nearest" });
+	}
+	run(place) {
+		const action = this.found[place];
+		if (action === void 0 || action.disabled === true) return;
+		this.dialog.close();
+		action.run();
+	}
+};
+function rowsOf$1(list) {
+	const rows = new Map();
+	for (const does of new Set(list.map((one) => one.does))) {
+		const keys = [...new Set(list.filter((one) => one.does === does).flatMap((one) => one.keys))];
+		const row = rows.get(keys.join(" "));
+		if (row === void 0) rows.set(keys.join(" "), {
+			keys,
+			does: [does]
+		});
+		else row.does.push(does);
+	}
+	return [...rows.values()];
+}
+function keysOf(keys) {
+	const between = keys.every((key) => /^Arrow/u.test(key)) ? " " : say("or");
+	return h("span", { class: "keys-of" }, ...keys.flatMap((key, i) => [...i === 0 ? [] : [between], h("kbd", {}, keyText(key))]));
+}
+var KeyList = class {
+	dialog = h("dialog", {
+		class: "dialog",
+		testid: "keys-dialog",
+		aria: { labelledby: "keys-heading" }
+	});
+	open() {
+		makeLate(() => void 0);
+		const own = declared().map(({ where, host, list }) => ({
+			where,
+			seen: host.checkVisibility(),
+			list
+		}));
+		const all = [
+			...own.filter(({ seen }) => seen),
+			{
+				where: say("every-picture"),
+				seen: true,
+				list: MOVES
+			},
+			...own.filter(({ seen }) => !seen)
+		];
+		const tables = [...new Set(all.map(({ where }) => where))].map((name) => {
+			const rows = rowsOf$1(all.filter(({ where }) => where === name).flatMap((of) => [...of.list])).map(({ keys, does }) => h("div", {}, h("dt", {}, keysOf(keys)), h("dd", {}, does.join("; "))));
+			return h("section", {}, h("h3", {}, name), h("dl", { class: "key-list" }, ...rows));
+		});
+		const close = button(say("close-2"), "keys-close", () => this.dialog.close());
+		fill(this.dialog, h("div", { class: "dialog-head" }, h("h2", { id: "keys-heading" }, say("keys")), close), h("div", { class: "key-lists" }, ...tables));
+		this.dialog.showModal();
+	}
+};
 // www/shared/panel/scrolled.ts
 function byKeys(text) {
 	if (text.scrollHeight > text.clientHeight || text.scrollWidth > text.clientWidth) text.setAttribute("tabindex", "0");
@@ -6012,7 +6516,8 @@ var INITIAL = {
 		vectors: 0,
 		linked: true,
 		magnifier: false,
-		hidden: []
+		hidden: [],
+		...OWN_LIGHT
 	},
 	notice: null
 };
@@ -6265,7 +6770,7 @@ function distances(matches, row, [xl, yl, xr, yr]) {
 	const [ul = NaN, vl = NaN, ur = NaN, vr = NaN] = matches.subarray(5 * row, 5 * row + 4);
 	return [(ul - xl) ** 2 + (vl - yl) ** 2, (ur - xr) ** 2 + (vr - yr) ** 2];
 }
-function rowsOf$1(matches, targets) {
+function rowsOf(matches, targets) {
 	const cells = rowsByPixel(matches);
 	const taken = new Set();
 	const rows = new Map();
@@ -6372,7 +6877,7 @@ var Applying = class {
 	}
 	edited() {
 		const { found, left, standing, appended } = this;
-		const rowOf = rowsOf$1(found.matches, placesOf(standing));
+		const rowOf = rowsOf(found.matches, placesOf(standing));
 		const keyOfRow = new Map([...rowOf].map(([key, row]) => [row, key]));
 		const handled = new Set();
 		for (let row = 0; 5 * row < found.matches.length; row++) {
@@ -10615,6 +11120,65 @@ function summary(state) {
 		points: codes.length
 	});
 }
+// www/pair/state/choice.ts
+var NONE = [];
+var leftsOf = remember((edited, chosen) => {
+	const lefts = leftsByTarget(edited);
+	return chosen.flatMap((key) => lefts.get(key) ?? []);
+});
+function chosenLefts(state) {
+	const edited = editedPair(state);
+	return edited === null || state.chosen.length === 0 ? NONE : leftsOf(edited, state.chosen);
+}
+function concerned(state, edited) {
+	const chosen = chosenLefts(state);
+	if (chosen.length > 0) return chosen;
+	const left = leftIndexOf(state, edited.match.best, edited.match.rules);
+	return left < 0 ? NONE : [left];
+}
+function editOfChoice(state, kind) {
+	const edited = editedPair(state);
+	if (edited === null) return null;
+	const rule = kind === "reject" ? MATCHED : BY_HAND;
+	const of = concerned(state, edited).flatMap((left) => {
+		const target = edited.match.rules[left] === rule ? targetOfLeft(edited, left) : null;
+		return target === null ? [] : [target];
+	});
+	return of.length === 0 ? null : {
+		kind,
+		of
+	};
+}
+var lackOfMatches = (state) => editedPair(state) === null ? say("needs-matches") : "";
+var lackOfSelected = (state) => state.selection === null ? say("no-point-is-selected") : "";
+function lackOfBegun({ tool, draft, outline, chosen, selection }) {
+	return tool === "look" && draft === null && outline === null && chosen.length === 0 && selection === null ? say("nothing-is-chosen") : "";
+}
+var lackOfEdit = (state, kind) => editOfChoice(state, kind) === null ? say("no-such-match-is-chosen") : "";
+function keysOfLefts(edited, lefts) {
+	return [...lefts].flatMap((left) => {
+		const target = targetOfLeft(edited, left);
+		return target === null ? [] : [keyOfTarget(target)];
+	});
+}
+function keysWithin(edited, side, [left, top, right, bottom], isShown) {
+	const inside = [];
+	const first = side === "left" ? 0 : 2;
+	edited.match.rules.forEach((rule, index) => {
+		if (rule !== MATCHED && rule !== BY_HAND || !isShown(index)) return;
+		const place = placeOfLeft(edited, index);
+		const [x, y] = [place[first] ?? NaN, place[first + 1] ?? NaN];
+		if (x >= left && x <= right && y >= top && y <= bottom) inside.push(index);
+	});
+	return keysOfLefts(edited, inside);
+}
+function toggled(chosen, keys) {
+	const own = new Set(chosen);
+	const all = keys.every((key) => own.has(key));
+	for (const key of keys) if (all) own.delete(key);
+	else own.add(key);
+	return [...own];
+}
 // www/pair/state/on-image.ts
 function sizeOf({ results }, side) {
 	return results[side === "left" ? "openLeft" : "openRight"]?.value.info ?? null;
@@ -10789,6 +11353,8 @@ function mountDraft(host, store, editing, { follow, begun, ended }) {
 		role: "group",
 		aria: { label: say("match-measured-by-hand") }
 	}, text, accept, exchange, fit, cancel);
+	declareLack([tool], () => lackOfMatches(store.state));
+	declareLack([bar], () => store.state.draft === null ? say("nothing-is-measured") : "");
 	host.append(tool, bar);
 	store.watch((s) => [
 		s.tool,
@@ -10827,59 +11393,6 @@ function textOf$2(state) {
 		place_2: place("right"),
 		side: draft.side
 	});
-}
-// www/pair/state/choice.ts
-var NONE = [];
-var leftsOf = remember((edited, chosen) => {
-	const lefts = leftsByTarget(edited);
-	return chosen.flatMap((key) => lefts.get(key) ?? []);
-});
-function chosenLefts(state) {
-	const edited = editedPair(state);
-	return edited === null || state.chosen.length === 0 ? NONE : leftsOf(edited, state.chosen);
-}
-function concerned(state, edited) {
-	const chosen = chosenLefts(state);
-	if (chosen.length > 0) return chosen;
-	const left = leftIndexOf(state, edited.match.best, edited.match.rules);
-	return left < 0 ? NONE : [left];
-}
-function editOfChoice(state, kind) {
-	const edited = editedPair(state);
-	if (edited === null) return null;
-	const rule = kind === "reject" ? MATCHED : BY_HAND;
-	const of = concerned(state, edited).flatMap((left) => {
-		const target = edited.match.rules[left] === rule ? targetOfLeft(edited, left) : null;
-		return target === null ? [] : [target];
-	});
-	return of.length === 0 ? null : {
-		kind,
-		of
-	};
-}
-function keysOfLefts(edited, lefts) {
-	return [...lefts].flatMap((left) => {
-		const target = targetOfLeft(edited, left);
-		return target === null ? [] : [keyOfTarget(target)];
-	});
-}
-function keysWithin(edited, side, [left, top, right, bottom], isShown) {
-	const inside = [];
-	const first = side === "left" ? 0 : 2;
-	edited.match.rules.forEach((rule, index) => {
-		if (rule !== MATCHED && rule !== BY_HAND || !isShown(index)) return;
-		const place = placeOfLeft(edited, index);
-		const [x, y] = [place[first] ?? NaN, place[first + 1] ?? NaN];
-		if (x >= left && x <= right && y >= top && y <= bottom) inside.push(index);
-	});
-	return keysOfLefts(edited, inside);
-}
-function toggled(chosen, keys) {
-	const own = new Set(chosen);
-	const all = keys.every((key) => own.has(key));
-	for (const key of keys) if (all) own.delete(key);
-	else own.add(key);
-	return [...own];
 }
 // www/pair/state/compared.ts
 function comparedEdit(state) {
@@ -11165,6 +11678,8 @@ function mountEditTools(host, bar, store, editing) {
 	const redo = button(say("redo-sign"), "tool-redo", () => editing.step(1));
 	const reject = button(say("reject"), "tool-reject", () => editing.edit("reject"), say("take-the-chosen-matches-out"));
 	const restore = button(say("restore"), "tool-restore", () => editing.edit("restore"), say("use-the-chosen-matches-again"));
+	declareLack([choose], () => lackOfMatches(store.state));
+	for (const [made, kind] of [[reject, "reject"], [restore, "restore"]]) declareLack([made], () => lackOfEdit(store.state, kind));
 	host.append(h("span", { class: "divider" }), choose, undo, redo);
 	bar.append(reject, restore);
 	store.watch((s) => [
@@ -11196,26 +11711,31 @@ function mountEditKeys(list, store, editing, follow) {
 		{
 			keys: ["Delete", "Backspace"],
 			does: say("rejects-the-chosen-matches"),
+			lacks: () => lackOfEdit(store.state, "reject"),
 			run: () => editing.edit("reject")
 		},
 		{
 			keys: ["r"],
 			does: say("restores-the-chosen-matches"),
+			lacks: () => lackOfEdit(store.state, "restore"),
 			run: () => editing.edit("restore")
 		},
 		{
 			keys: ["x"],
 			does: say("chooses-the-selected-match-beside"),
+			lacks: () => lackOfSelected(store.state),
 			run: () => editing.choose(store.state.selection)
 		},
 		{
 			keys: ["e"],
 			does: say("measures-the-selected-match-anew"),
+			lacks: () => lackOfSelected(store.state),
 			run: move
 		},
 		{
 			keys: ["Escape"],
 			does: say("gives-up"),
+			lacks: () => lackOfBegun(store.state),
 			run: () => void editing.leave()
 		}
 	];
@@ -13101,7 +13621,7 @@ var columnsOf = remember(({ columns, codes, rightness }) => [
 	words("state", say("state-2"), (match) => STATES[codes[match] ?? 0] ?? say("used"), say("whether-the-adjustment-used-the")),
 	...rightness === null ? [] : [words("truth", say("truth"), (match) => RIGHTNESS[rightness[match] ?? 0] ?? "", say("whether-the-match-is-right"))]
 ]);
-function kindOf$1(statistics, { kind }) {
+function kindOf(statistics, { kind }) {
 	return kind === "wrong" && statistics?.rightness == null ? "all" : kind;
 }
 function isOf({ codes, rightness }, kind, match) {
@@ -13114,7 +13634,7 @@ function isOf({ codes, rightness }, kind, match) {
 	}
 }
 var leftOutOf = remember((statistics, filter, match, rights) => {
-	const kind = kindOf$1(statistics, filter);
+	const kind = kindOf(statistics, filter);
 	const meets = maskOf(statistics.count, columnsOf(statistics), filter.conditions);
 	if (kind === "all" && meets === null) return null;
 	const matches = Uint8Array.from({ length: statistics.count }, (_, row) => Number(!isOf(statistics, kind, row) || meets?.[row] === 0));
@@ -13206,7 +13726,7 @@ function mountStatistics(host, store, editing, select) {
 		[statistics, filter] = [now, wanted];
 		const offered = KINDS.filter(([kind]) => kind !== "wrong" || now?.rightness != null);
 		if (kinds.options.length !== offered.length) fill(kinds, ...offered.map(([kind, text]) => new Option(text, kind)));
-		const kind = kindOf$1(now, wanted);
+		const kind = kindOf(now, wanted);
 		kinds.value = kind;
 		const keeps = (match) => now !== null && isOf(now, kind, match);
 		const shown = table.show(now?.count ?? 0, now === null ? [] : columnsOf(now), keeps, wanted.conditions);
@@ -13678,10 +14198,17 @@ function mountToolbar(host, store, navigator) {
 	const [vectors, vectorSelect] = vectorChoice("layer-vectors", (vectors) => set({ vectors }));
 	const linked = toggle(say("linked"), "linked", say("pan-and-zoom-both-images"), (on) => set({ linked: on }));
 	const magnifier = toggle(say("magnifier"), "magnifier", say("enlarge-what-is-under-the-pointer"), (on) => set({ magnifier: on }));
+	const light = makeLight("view-", byId("view"), set);
+	const sliders = h("div", {
+		class: "menu",
+		id: "view-light"
+	}, ...light.elements);
+	const unfoldLight = labelled("◐", "view-light", say("brightness-and-contrast"), () => void 0);
+	mountMenu(unfoldLight, sliders);
 	const more = h("div", {
 		class: "more",
 		id: "view-more"
-	}, lines, vectors, h("span", { class: "divider" }), linked, magnifier, labelled("1:1", "zoom-actual", say("n-1-1-one-image-pixel"), () => navigator.actualSize()), h("span", { class: "divider" }), labelled("‹", "previous-point", say("previous-point-p"), () => navigator.step(-1)), labelled("›", "next-point", say("next-point-n"), () => navigator.step(1)));
+	}, lines, vectors, h("span", { class: "divider" }), linked, magnifier, labelled("1:1", "zoom-actual", say("n-1-1-one-image-pixel"), () => navigator.actualSize()), h("div", { class: "light" }, unfoldLight, sliders), h("span", { class: "divider" }), labelled("‹", "previous-point", say("previous-point-p"), () => navigator.step(-1)), labelled("›", "next-point", say("next-point-n"), () => navigator.step(1)));
 	const unfold = h("button", {
 		type: "button",
 		class: "menu-button",
@@ -13701,6 +14228,7 @@ function mountToolbar(host, store, navigator) {
 		vectorSelect.value = String(display.vectors);
 		linked.setAttribute("aria-pressed", String(display.linked));
 		magnifier.setAttribute("aria-pressed", String(display.magnifier));
+		light.show(display);
 	});
 }
 // www/pair/state/editing.ts
@@ -15083,6 +15611,7 @@ function pictureKeys(view, store, navigator, editing, masking) {
 		{
 			keys: ["x"],
 			does: say("chooses-the-selected-match-beside"),
+			lacks: () => lackOfSelected(store.state),
 			run: () => editing.choose(store.state.selection)
 		},
 		{
@@ -15093,11 +15622,13 @@ function pictureKeys(view, store, navigator, editing, masking) {
 		{
 			keys: ["Delete", "Backspace"],
 			does: say("rejects-the-chosen-matches"),
+			lacks: () => lackOfEdit(store.state, "reject"),
 			run: () => editing.edit("reject")
 		},
 		{
 			keys: ["r"],
 			does: say("restores-the-chosen-matches"),
+			lacks: () => lackOfEdit(store.state, "restore"),
 			run: () => editing.edit("restore")
 		},
 		{
@@ -15113,11 +15644,13 @@ function pictureKeys(view, store, navigator, editing, masking) {
 		{
 			keys: ["e"],
 			does: say("measures-the-selected-match-anew"),
+			lacks: () => lackOfSelected(store.state),
 			run: measures(() => editing.move())
 		},
 		{
 			keys: ["Escape"],
 			does: say("gives-up-or-selects-nothing"),
+			lacks: () => lackOfBegun(store.state),
 			run: leave
 		}
 	];
@@ -15419,6 +15952,33 @@ function drawRectangle(context, { left, top, width, height }) {
 	context.strokeRect(left, top, width, height);
 	context.setLineDash([]);
 }
+// www/pair/view/draft.ts
+function drawDraft(context, state, scene) {
+	const { draft } = state;
+	if (draft === null) return;
+	const line = lineOfDraft(state);
+	if (line !== null) drawLine(context, scene.panes[line.side], line.positions);
+	const expected = expectedPlace(state);
+	if (expected !== null && draft.places[draft.side] !== null) drawExpected(context, scene.panes[draft.side], expected);
+	for (const side of SIDES) {
+		const at = placeOfDraft(state, side);
+		if (at !== null) drawCross(context, scene.panes[side], at, side === draft.side);
+	}
+}
+// www/pair/view/fiducials.ts
+function drawFiducials(context, state, scene) {
+	const { tool, mark, photos } = state;
+	if (tool !== "fiducials") return;
+	for (const side of SIDES) for (const [index, one] of photos[side].fiducials.entries()) {
+		const at = placeOfMark(photos[side], one);
+		if (at !== null) drawCross(context, scene.panes[side], at, mark?.side === side && mark.index === index);
+	}
+	if (mark === null) return;
+	if (placeOfMark(photos[mark.side], markInHand(state)) !== null) return;
+	const pane = scene.panes[mark.side];
+	drawCross(context, pane, middleOf(pane), false);
+	if (mark.expected !== null) drawExpected(context, pane, [mark.expected[0], mark.expected[1]]);
+}
 // www/pair/view/tilecache.ts
 var MOST_TILES = 96;
 var MOST_REQUESTS = 3;
@@ -15483,6 +16043,79 @@ function paintMask(context, { overlay, width, height }, t, clip) {
 		context.drawImage(overlay, t.x, t.y, t.scale * width, t.scale * height);
 	});
 }
+// www/pair/view/lenses.ts
+var CORNER_SIDE = 168;
+var CORNER_SCALE = 12;
+var EDGE = 8;
+function lensesOfMeasured(state, scene) {
+	const { mark, tool } = state;
+	const ofMark = tool === "fiducials" && mark !== null ? placeOfMark(state.photos[mark.side], markInHand(state)) : null;
+	return SIDES.flatMap((side) => [mark?.side === side ? ofMark : null, placeOfDraft(state, side)].flatMap((at) => at === null ? [] : inCorner(scene.panes[side], at)));
+}
+function magnifierAt(scene, at, bounds) {
+	const pane = paneAt(scene, ...at);
+	if (pane === null) return [];
+	const scale = Math.min(48, Math.max(4, pane.transform.scale * 4));
+	return lens(pane, toPosition(pane.transform, ...at), lensRect(at, bounds), scale);
+}
+function lens(pane, at, rect, scale) {
+	return pane.picture === null ? [] : [{
+		pane,
+		rect,
+		transform: lensTransform(rect, at, scale)
+	}];
+}
+var inCorner = (pane, at) => lens(pane, at, cornerOf(pane), Math.max(CORNER_SCALE, pane.transform.scale));
+function cornerOf({ rect, side }) {
+	const length = Math.max(40, Math.min(CORNER_SIDE, rect.width * .45, rect.height * .45));
+	return {
+		left: side === "left" ? rect.left + EDGE : rect.left + rect.width - EDGE - length,
+		top: rect.top + rect.height - EDGE - length,
+		width: length,
+		height: length
+	};
+}
+function paintLenses(context, lenses, ratio, tiles) {
+	for (const { pane, rect, transform } of lenses) within(context, rect, () => {
+		context.fillStyle = "#000000";
+		context.fillRect(rect.left, rect.top, rect.width, rect.height);
+		if (pane.picture !== null) paintPicture(context, pane.picture, transform, rect, ratio, tiles);
+	});
+}
+function drawOverLenses(context, state, scene, lenses) {
+	for (const { pane, rect, transform } of lenses) {
+		within(context, rect, () => {
+			drawPoints(context, state, scene, pane, transform, rect);
+			crosshair(context, rect);
+		});
+		lensFrame(context, rect);
+	}
+}
+// www/pair/view/outline.ts
+var CORNER = 3;
+function drawOutline(context, { outline, tool, activeSide }, scene) {
+	const active = scene.panes[activeSide];
+	if (tool === "mask" && active.picture !== null) drawCross(context, active, middleOf(active), false);
+	if (outline === null) return;
+	const { rect, transform } = scene.panes[outline.side];
+	const corners = outline.corners.map(([x, y]) => toCanvas(transform, x, y));
+	const path = new Path2D();
+	for (const [i, [x, y]] of corners.entries()) if (i === 0) path.moveTo(x, y);
+	else path.lineTo(x, y);
+	path.closePath();
+	within(context, rect, () => {
+		context.fillStyle = "rgb(255 212 0 / 0.2)";
+		context.fill(path);
+		context.lineWidth = 3;
+		context.strokeStyle = "rgb(0 0 0 / 0.6)";
+		context.stroke(path);
+		context.lineWidth = 1.5;
+		context.strokeStyle = SELECTED;
+		context.stroke(path);
+		context.fillStyle = SELECTED;
+		if (corners.length <= 64) for (const [x, y] of corners) context.fillRect(x - CORNER, y - CORNER, 6, 6);
+	});
+}
 // www/pair/view/overlay.ts
 var MOST_CANDIDATES_DRAWN = 200;
 var MOST_GRADIENT_CANDIDATES_DRAWN = 10;
@@ -15538,108 +16171,19 @@ function drawCandidates(context, state, scene, leftIndex, leftAt, best) {
 		if (best !== null) ring(context, pane, best, 9, SELECTED, state.selection?.side === "right" ? 2.5 : 2);
 	});
 }
-function drawLens(context, state, scene, at, ratio, tiles, bounds) {
-	const pane = contains(scene.panes.left.rect, at[0], at[1]) ? scene.panes.left : scene.panes.right;
-	if (pane.picture === null || !contains(pane.rect, at[0], at[1])) return;
-	const scale = Math.min(48, Math.max(4, pane.transform.scale * 4));
-	paintLens(context, state, scene, pane, toPosition(pane.transform, at[0], at[1]), lensRect(at, bounds), scale, ratio, tiles);
-}
-function paintLens(context, state, scene, pane, at, rect, scale, ratio, tiles) {
-	const { picture } = pane;
-	if (picture === null) return;
-	const transform = lensTransform(rect, at, scale);
-	within(context, rect, () => {
-		context.fillStyle = "#000000";
-		context.fillRect(rect.left, rect.top, rect.width, rect.height);
-		paintPicture(context, picture, transform, rect, ratio, tiles);
-		drawPoints(context, state, scene, pane, transform, rect);
-		crosshair(context, rect);
-	});
-	lensFrame(context, rect);
-}
-// www/pair/view/draft.ts
-var LENS_SIDE = 168;
-var LENS_SCALE = 12;
-var EDGE = 8;
-function drawDraft(context, state, scene) {
-	const { draft } = state;
-	if (draft === null) return;
-	const line = lineOfDraft(state);
-	if (line !== null) drawLine(context, scene.panes[line.side], line.positions);
-	const expected = expectedPlace(state);
-	if (expected !== null && draft.places[draft.side] !== null) drawExpected(context, scene.panes[draft.side], expected);
-	for (const side of SIDES) {
-		const at = placeOfDraft(state, side);
-		if (at !== null) drawCross(context, scene.panes[side], at, side === draft.side);
-	}
-}
-function drawDraftLenses(context, state, scene, ratio, tiles) {
-	for (const side of SIDES) {
-		const at = placeOfDraft(state, side);
-		if (at !== null) drawCornerLens(context, state, scene, side, at, ratio, tiles);
-	}
-}
-function drawCornerLens(context, state, scene, side, at, ratio, tiles) {
-	const pane = scene.panes[side];
-	paintLens(context, state, scene, pane, at, cornerOf(pane), Math.max(LENS_SCALE, pane.transform.scale), ratio, tiles);
-}
-function cornerOf({ rect, side }) {
-	const length = Math.max(40, Math.min(LENS_SIDE, rect.width * .45, rect.height * .45));
-	return {
-		left: side === "left" ? rect.left + EDGE : rect.left + rect.width - EDGE - length,
-		top: rect.top + rect.height - EDGE - length,
-		width: length,
-		height: length
-	};
-}
-// www/pair/view/fiducials.ts
-function drawFiducials(context, state, scene, ratio, tiles) {
-	const { tool, mark, photos } = state;
-	if (tool !== "fiducials") return;
-	for (const side of SIDES) for (const [index, one] of photos[side].fiducials.entries()) {
-		const at = placeOfMark(photos[side], one);
-		if (at !== null) drawCross(context, scene.panes[side], at, mark?.side === side && mark.index === index);
-	}
-	if (mark === null) return;
-	const at = placeOfMark(photos[mark.side], markInHand(state));
-	if (at !== null) {
-		drawCornerLens(context, state, scene, mark.side, at, ratio, tiles);
-		return;
-	}
-	const pane = scene.panes[mark.side];
-	drawCross(context, pane, middleOf(pane), false);
-	if (mark.expected !== null) drawExpected(context, pane, [mark.expected[0], mark.expected[1]]);
-}
-// www/pair/view/outline.ts
-var CORNER = 3;
-function drawOutline(context, { outline, tool, activeSide }, scene) {
-	const active = scene.panes[activeSide];
-	if (tool === "mask" && active.picture !== null) drawCross(context, active, middleOf(active), false);
-	if (outline === null) return;
-	const { rect, transform } = scene.panes[outline.side];
-	const corners = outline.corners.map(([x, y]) => toCanvas(transform, x, y));
-	const path = new Path2D();
-	for (const [i, [x, y]] of corners.entries()) if (i === 0) path.moveTo(x, y);
-	else path.lineTo(x, y);
-	path.closePath();
-	within(context, rect, () => {
-		context.fillStyle = "rgb(255 212 0 / 0.2)";
-		context.fill(path);
-		context.lineWidth = 3;
-		context.strokeStyle = "rgb(0 0 0 / 0.6)";
-		context.stroke(path);
-		context.lineWidth = 1.5;
-		context.strokeStyle = SELECTED;
-		context.stroke(path);
-		context.fillStyle = SELECTED;
-		if (corners.length <= 64) for (const [x, y] of corners) context.fillRect(x - CORNER, y - CORNER, 6, 6);
-	});
-}
 // www/pair/view/view.ts
 var LAYERS = [
 	"pictures",
+	"masks",
 	"marks",
-	"overlay"
+	"overlay",
+	"lenses",
+	"glass"
+];
+var ABOVE = [
+	"overlay",
+	"lenses",
+	"glass"
 ];
 var CLICK_RADIUS = 14;
 var gridOf = {
@@ -15667,7 +16211,7 @@ var View = class {
 				row,
 				side: 512
 			});
-		}, () => this.layers.redraw("pictures", "overlay"));
+		}, () => this.layers.redraw("pictures", "lenses"));
 		store.watch((s) => [
 			s.views,
 			s.images,
@@ -15692,7 +16236,7 @@ var View = class {
 				s.display,
 				s.catalogue
 			];
-		}, () => this.layers.redraw("marks", "overlay"));
+		}, () => this.layers.redraw("marks", ...ABOVE));
 		store.watch((s) => [
 			s.selection,
 			s.chosen,
@@ -15706,7 +16250,7 @@ var View = class {
 			s.results.inspection,
 			s.settings,
 			s.results.offset
-		], () => this.layers.redraw("overlay"));
+		], () => this.layers.redraw(...ABOVE));
 	}
 	scene() {
 		return sceneOf(this.store.state, this.layers.width, this.layers.height);
@@ -15716,7 +16260,7 @@ var View = class {
 	}
 	point(at) {
 		this.pointer = at;
-		if (this.store.state.display.magnifier) this.layers.redraw("overlay");
+		if (this.store.state.display.magnifier) this.layers.redraw("lenses", "glass");
 	}
 	enclose(rectangle) {
 		this.rectangle = rectangle;
@@ -15752,6 +16296,12 @@ var View = class {
 			case "pictures":
 				for (const side of SIDES) this.drawPicture(context, scene.panes[side]);
 				break;
+			case "masks":
+				for (const { side, picture, transform, rect } of SIDES.map((one) => scene.panes[one])) {
+					const mask = state.masks[side];
+					if (picture !== null && mask !== null) paintMask(context, mask, transform, rect);
+				}
+				break;
 			case "marks":
 				if (state.catalogue !== null) drawMarks(context, state, scene);
 				break;
@@ -15760,29 +16310,30 @@ var View = class {
 				drawSelection(context, state, scene);
 				drawDraft(context, state, scene);
 				drawOutline(context, state, scene);
-				drawFiducials(context, state, scene, this.layers.ratio, this.tiles);
+				drawFiducials(context, state, scene);
 				if (this.rectangle !== null) drawRectangle(context, this.rectangle);
-				drawDraftLenses(context, state, scene, this.layers.ratio, this.tiles);
-				if (state.draft === null) this.drawMagnifier(context, state, scene);
+				break;
+			case "lenses":
+				paintLenses(context, this.lenses(state, scene), this.layers.ratio, this.tiles);
+				break;
+			case "glass": if (state.catalogue !== null) drawOverLenses(context, state, scene, this.lenses(state, scene));
 		}
 	}
-	drawMagnifier(context, state, scene) {
+	lenses(state, scene) {
+		const { width, height } = this.layers;
 		const at = this.pointer ?? selectedPlace(state, scene);
-		if (!state.display.magnifier || at === null || state.catalogue === null) return;
-		const { width, height, ratio } = this.layers;
-		drawLens(context, state, scene, at, ratio, this.tiles, {
+		const magnifies = state.display.magnifier && state.draft === null && at !== null && state.catalogue !== null;
+		return [...lensesOfMeasured(state, scene), ...magnifies ? magnifierAt(scene, at, {
 			left: 0,
 			top: 0,
 			width,
 			height
-		});
+		}) : []];
 	}
 	drawPicture(context, pane) {
 		if (pane.picture === null) return;
 		const current = wantedKeys(this.store.state)[pane.side === "left" ? "openLeft" : "openRight"] !== null;
 		paintPicture(context, pane.picture, pane.transform, pane.rect, this.layers.ratio, current ? this.tiles : null);
-		const mask = this.store.state.masks[pane.side];
-		if (mask !== null) paintMask(context, mask, pane.transform, pane.rect);
 	}
 };
 function selectedPlace(state, scene) {
@@ -15877,6 +16428,7 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 		paint
 	});
 	mountToolbar(byId("toolbar"), store, navigator);
+	declareLack([byId("toolbar"), byId("view")], () => SIDES.some((side) => store.state.images[side] === null) ? say("needs-two-photos") : "");
 	mountEditTools(byId("view-more"), byId("toolbar"), store, editing);
 	const measured = () => {
 		if (store.state.tool !== "measure") return;
@@ -15926,6 +16478,7 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 		side,
 		index
 	}));
+	declareLack([matches], () => lackOfMatches(store.state));
 	mountEdits(matches, store, editing, measured);
 	mountEditKeys(matches, store, editing, measured);
 	mountStatistics(matches, store, editing, (side, index) => navigator.select({
@@ -16689,6 +17242,9 @@ var Written = class {
 		this.former = former;
 		this.parts = new Map(parts);
 	}
+	shown() {
+		for (const [part, { value }] of this.present()) if (this.parts.has(part)) this.parts.set(part, value);
+	}
 	gone() {
 		this.begin();
 		this.isGone = true;
@@ -16707,8 +17263,11 @@ var Written = class {
 	forget(parts) {
 		for (const gone of parts) this.parts.delete(gone);
 	}
+	present() {
+		return new Map(this.keepables.flatMap((keepable) => [...keepable.parts()]));
+	}
 	changes() {
-		const parts = new Map(this.keepables.flatMap((keepable) => [...keepable.parts()]));
+		const parts = this.present();
 		return {
 			put: new Map([...parts].filter(([part, { value }]) => !this.parts.has(part) || this.parts.get(part) !== value)),
 			drop: [...this.parts.keys()].filter((part) => !parts.has(part))
@@ -17011,6 +17570,7 @@ var Keeper = class {
 			});
 			rememberProject(id);
 			for (const show of shows) show();
+			this.written.shown();
 			this.mode.show(row.mode);
 		};
 	}
@@ -17162,277 +17722,6 @@ function nameVersion(press, version) {
 		});
 	});
 }
-// www/shared/panel/actions.ts
-function mountActions(press) {
-	const keys = new KeyList();
-	const search = new Search(() => keys.open());
-	document.body.append(keys.dialog, search.dialog);
-	press.addEventListener("click", () => search.open());
-	const everywhere = declare({
-		where: say("anywhere"),
-		host: document.body,
-		list: [{
-			keys: ["Ctrl+K"],
-			does: say("finds-any-action"),
-			run: () => search.open()
-		}, {
-			keys: ["?"],
-			does: say("lists-all-keys"),
-			run: () => keys.open()
-		}]
-	});
-	document.addEventListener("keydown", (event) => {
-		const typing = event.target instanceof Element && event.target.closest("input, textarea, select, dialog") !== null;
-		const held = event.ctrlKey || event.metaKey;
-		if (event.altKey || typing && !held || document.querySelector("dialog[open]") !== null) return;
-		if (everywhere(held ? `Ctrl+${event.key.toUpperCase()}` : event.key, event.shiftKey)) event.preventDefault();
-	});
-}
-function actions() {
-	const made = [...document.querySelectorAll("button")].filter((button) => button.closest("dialog, table, .control, .history, .facts") === null && !button.matches(UNNAMED) && reachable(button));
-	const ofButtons = new Set(made.flatMap(keysOfButton));
-	const commands = declared().filter(({ host, list }) => host.checkVisibility() && list.length > 0).flatMap(({ where, list }) => list.filter(({ keys, can }) => can?.() !== false && !keys.some((key) => ofButtons.has(key))).map(({ keys, does, run }) => ({
-		name: sentenceOf(does),
-		more: where,
-		keys,
-		run: () => run(false)
-	})));
-	const all = once([...made].sort((a, b) => Number(a.disabled) - Number(b.disabled))).map((button) => ({
-		name: nameOf(button),
-		disabled: button.disabled,
-		more: [...new Set([
-			groupOf(twinOf(button) ?? button),
-			tabOf(button),
-			kindOf(button),
-			button.title
-		])].filter((text) => text !== "" && !saysName(button, text)).join(" · "),
-		keys: keysOfButton(button),
-		run: () => {
-			reveal(button);
-			button.click();
-		}
-	}));
-	const settings = [...document.querySelectorAll(".control label")].filter(reachable).map((label) => ({
-		name: label.textContent,
-		more: [say("setting"), label.closest("fieldset, details")?.querySelector("legend, summary")?.firstChild?.textContent ?? ""].filter((text) => text !== "").join(" · "),
-		keys: [],
-		run: () => {
-			reveal(label);
-			label.control?.focus();
-		}
-	}));
-	return [
-		...all.filter(({ disabled }) => !disabled),
-		...commands,
-		...choices(),
-		...settings,
-		...all.filter(({ disabled }) => disabled)
-	];
-}
-function choices() {
-	return [...document.querySelectorAll("select, input[type=\"range\"]")].filter((control) => control.closest("dialog, table, .control") === null && reachable(control)).flatMap((control) => {
-		const about = control.ariaLabel ?? control.labels?.[0]?.querySelector("span")?.textContent ?? "";
-		const made = {
-			more: groupOf(control),
-			keys: [],
-			disabled: control.disabled
-		};
-		const goTo = () => {
-			reveal(control);
-			control.focus();
-		};
-		if (!(control instanceof HTMLSelectElement)) return [{
-			...made,
-			name: about,
-			run: goTo
-		}];
-		return [...control.options].filter((option) => !option.selected && !option.disabled).map((option) => ({
-			...made,
-			name: say("action-about", {
-				about,
-				action: option.text
-			}),
-			run: () => {
-				control.value = option.value;
-				control.dispatchEvent(new Event("change", { bubbles: true }));
-				goTo();
-			}
-		}));
-	});
-}
-var UNNAMED = ".close, .menu-button, #export-menu";
-function nameOf(made) {
-	const label = made.getAttribute("aria-label");
-	const shown = label ?? made.textContent;
-	const own = /\p{L}|\d/u.test(shown) || made.title === "" ? shown : made.title;
-	const about = label === null && keysOfButton(made).length === 0 ? twinOf(made)?.getAttribute("aria-label") : null;
-	return about == null ? own : say("action-about", {
-		about,
-		action: own
-	});
-}
-var twinOf = (made) => made.closest(".twin");
-var saysName = (button, text) => [nameOf(button), `${nameOf(button)} (${keysOfButton(button)[0] ?? ""})`].includes(text);
-var keysOfButton = (button) => button.getAttribute("aria-keyshortcuts")?.replaceAll("Control", "Ctrl").split(" ") ?? [];
-function once(buttons) {
-	const known = new Set();
-	return buttons.filter((button) => {
-		const keys = keysOfButton(button);
-		const name = [nameOf(button), ...keys].join("\n");
-		const isFirst = !known.has(name);
-		if (keys.length > 0) known.add(name);
-		return isFirst;
-	});
-}
-function tabOf(made) {
-	const tab = made.closest("[role=\"tabpanel\"]")?.getAttribute("aria-labelledby");
-	return tab == null ? "" : document.getElementById(tab)?.textContent ?? "";
-}
-var kindOf = (made) => made.getAttribute("role") === "tab" ? say("tab") : "";
-var sentenceOf = (does) => does.charAt(0).toUpperCase() + does.slice(1);
-var groupOf = (made) => made.parentElement?.closest("[aria-label]")?.getAttribute("aria-label") ?? "";
-var Search = class {
-	dialog = h("dialog", {
-		class: "dialog search",
-		testid: "search",
-		aria: { label: say("find-an-action") }
-	});
-	input = h("input", {
-		type: "text",
-		id: "search-text",
-		testid: "search-text",
-		role: "combobox"
-	});
-	list = h("ul", {
-		id: "search-list",
-		class: "found",
-		testid: "search-list",
-		role: "listbox",
-		aria: { label: say("actions") }
-	});
-	said = h("p", {
-		class: "note",
-		role: "status",
-		testid: "search-said"
-	});
-	all = [];
-	found = [];
-	active = 0;
-	constructor(keys) {
-		const close = button(say("close-2"), "search-close", () => this.dialog.close());
-		const list = button(say("all-keys"), "search-keys", () => {
-			this.dialog.close();
-			keys();
-		});
-		this.input.autocomplete = "off";
-		for (const [name, value] of [
-			["controls", this.list.id],
-			["expanded", "true"],
-			["autocomplete", "list"]
-		]) this.input.setAttribute(`aria-${name}`, value);
-		this.dialog.append(h("label", { for: this.input.id }, say("what-do-you-want-to")), this.input, this.list, h("div", { class: "dialog-head" }, this.said, h("div", { class: "buttons" }, list, close)));
-		this.input.addEventListener("input", () => this.narrow());
-		this.input.addEventListener("keydown", (event) => {
-			const by = {
-				ArrowDown: 1,
-				ArrowUp: -1
-			}[event.key];
-			if (event.key === "Enter") this.run(this.active);
-			else if (by !== void 0) this.mark(this.active + by);
-			else return;
-			event.preventDefault();
-		});
-	}
-	open() {
-		hasten();
-		this.all = actions();
-		this.input.value = "";
-		this.dialog.showModal();
-		this.narrow();
-		this.input.focus();
-	}
-	narrow() {
-		const words = this.input.value.toLowerCase().split(/\s+/u);
-		const text = ({ name, more }) => `${name} ${more}`.toLowerCase();
-		const rank = ({ name, disabled }) => (words.every((word) => name.toLowerCase().includes(word)) ? 0 : 1) + (disabled === true ? 2 : 0);
-		this.found = this.all.filter((action) => words.every((word) => text(action).includes(word))).sort((a, b) => rank(a) - rank(b));
-		const rows = this.found.map(({ name, more, keys, disabled = false }, place) => {
-			const row = h("li", {
-				role: "option",
-				id: `search-${String(place)}`,
-				aria: disabled ? { disabled: "true" } : {}
-			}, h("span", {}, name), h("small", {}, [disabled ? say("not-possible-now") : "", more].filter((text) => text !== "").join(" · ")), keys.length === 0 ? null : keysOf(keys));
-			row.addEventListener("click", () => this.run(place));
-			return row;
-		});
-		fill(this.list, ...rows);
-		const { length } = this.found;
-		this.said.textContent = length === 0 ? say("no-action-has-these-words") : say("so-many-actions", { actions: length });
-		this.mark(0);
-	}
-	mark(wanted) {
-		const rows = [...this.list.children];
-		this.active = rows.length === 0 ? 0 : (wanted + rows.length) % rows.length;
-		for (const [place, option] of rows.entries()) option.setAttribute("aria-selected", String(place === this.active));
-		const row = rows[this.active];
-		if (row === void 0) this.input.removeAttribute("aria-activedescendant");
-		else this.input.setAttribute("aria-activedescendant", row.id);
-		row?.scrollIntoView({ block: "nearest" });
-	}
-	run(place) {
-		const action = this.found[place];
-		if (action === void 0 || action.disabled === true) return;
-		this.dialog.close();
-		action.run();
-	}
-};
-function rowsOf(list) {
-	const rows = new Map();
-	for (const does of new Set(list.map((one) => one.does))) {
-		const keys = [...new Set(list.filter((one) => one.does === does).flatMap((one) => one.keys))];
-		const row = rows.get(keys.join(" "));
-		if (row === void 0) rows.set(keys.join(" "), {
-			keys,
-			does: [does]
-		});
-		else row.does.push(does);
-	}
-	return [...rows.values()];
-}
-function keysOf(keys) {
-	const between = keys.every((key) => /^Arrow/u.test(key)) ? " " : say("or");
-	return h("span", { class: "keys-of" }, ...keys.flatMap((key, i) => [...i === 0 ? [] : [between], h("kbd", {}, keyText(key))]));
-}
-var KeyList = class {
-	dialog = h("dialog", {
-		class: "dialog",
-		testid: "keys-dialog",
-		aria: { labelledby: "keys-heading" }
-	});
-	open() {
-		const own = declared().map(({ where, host, list }) => ({
-			where,
-			seen: host.checkVisibility(),
-			list
-		}));
-		const all = [
-			...own.filter(({ seen }) => seen),
-			{
-				where: say("every-picture"),
-				seen: true,
-				list: MOVES
-			},
-			...own.filter(({ seen }) => !seen)
-		];
-		const tables = [...new Set(all.map(({ where }) => where))].map((name) => {
-			const rows = rowsOf(all.filter(({ where }) => where === name).flatMap((of) => [...of.list])).map(({ keys, does }) => h("div", {}, h("dt", {}, keysOf(keys)), h("dd", {}, does.join("; "))));
-			return h("section", {}, h("h3", {}, name), h("dl", { class: "key-list" }, ...rows));
-		});
-		const close = button(say("close-2"), "keys-close", () => this.dialog.close());
-		fill(this.dialog, h("div", { class: "dialog-head" }, h("h2", { id: "keys-heading" }, say("keys")), close), h("div", { class: "key-lists" }, ...tables));
-		this.dialog.showModal();
-	}
-};
 // www/shared/files/rescue.ts
 async function archiveOf(parts) {
 	const archive = new Archive();
@@ -17793,6 +18082,7 @@ async function startParts(opening, serveDrop) {
 		takers.unshift(block.taker);
 		return block;
 	});
+	beforeSearch(() => blocks.get());
 	const keptBlock = new LateKeepable("block", () => blocks.get());
 	async function withBlock(act) {
 		const block = await blocks.get().catch((error) => {
@@ -17897,4 +18187,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, BY_HAND, CANDIDATE, CallError, Cancelled, EPIPOLAR, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MASK_SIDE, MEASURED, NO_HISTORY, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SELECTED, SHAPES, SIDES, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior$1 as interior, isCurrent, isHidden, isMeasured$1 as isMeasured, isMode, isNothing, isOpen, isWhole$1 as isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf, listen, listenKeys, local_positions, makeFolded, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf, startProgram, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, titleOf, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, wholeMarks, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, BY_HAND, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, OWN_LIGHT, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, declareLack, declarePlace, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior$1 as interior, isCurrent, isHidden, isMeasured$1 as isMeasured, isMode, isNothing, isOpen, isWhole$1 as isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf, startProgram, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, wholeMarks, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
