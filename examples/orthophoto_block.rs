@@ -30,9 +30,11 @@ const NOISE: f64 = 4.0;
 const OFF_M: f64 = 300.0;
 /// Errors of centres are to be at most so many pixels of the orthophoto, in height times the factor that their covariance says.
 const ASKED_PX: f64 = 0.5;
-/// What the mean square of errors by their standard errors is, and so many standard deviations of its own beyond.
+/// Of all coordinates of centres this share at least is.
+const LEAST_WITHIN: f64 = 0.9;
+/// What the mean square of errors by their standard errors is, and the normal deviate of the chance that so few blocks give more, or less.
 const HELD: [f64; 2] = [0.8, 1.3];
-const BEYOND_CHANCE: f64 = 4.0;
+const BY_CHANCE: f64 = 3.09;
 
 /// What is wrong with an orthophoto beside what was built and the light.
 #[derive(Clone, Copy)]
@@ -166,7 +168,8 @@ impl Asked {
         }
     }
 
-    fn print(mut self) {
+    /// Says them, and gives the number of those along each axis that are within.
+    fn print(mut self) -> [usize; 3] {
         self.ratios.iter_mut().chain([&mut self.factors]).for_each(|all| all.sort_by(f64::total_cmp));
         let at = |all: &[f64], share: f64| all[((all.len() - 1) as f64 * share).round() as usize];
         let [x, y, z] = self.ratios.each_ref().map(|all| [0.5, 0.95, 1.0].map(|share| at(all, share)));
@@ -174,6 +177,7 @@ impl Asked {
             "    errors of centres by {ASKED_PX} px of the orthophoto, of Z times {:.1}: median, 95 %, worst of X {x:.2?}, Y {y:.2?}, Z {z:.2?}",
             at(&self.factors, 0.5)
         );
+        self.ratios.map(|all| all.iter().filter(|ratio| **ratio <= 1.0).count())
     }
 }
 
@@ -183,6 +187,8 @@ impl Asked {
 struct Sums {
     errors: [f64; 8],
     ratios: [f64; 8],
+    /// Coordinates of centres that are off by no more than is asked.
+    within: [usize; 3],
     images: usize,
     linked: usize,
 }
@@ -210,7 +216,7 @@ impl Sums {
             asked.add([0, 1, 2].map(|k| own.position[k] - known.position[k]), place);
             self.images += 1;
         }
-        asked.print();
+        self.within.iter_mut().zip(asked.print()).for_each(|(all, own)| *all += own);
         let focal = model.adjusted.cameras[0].standard_errors[0].expect("a focal length that was estimated");
         let off = model.adjusted.block.cameras[0].focal_px - truth.cameras[0].focal_px;
         self.add(6, off, focal);
@@ -236,10 +242,21 @@ impl Sums {
         mean
     }
 
-    /// Whether errors are as large as their standard errors say, within what chance does to so few blocks: the images of one err together.
+    /// The shares of the coordinates of centres that are off by no more than is asked.
+    fn shares(&self) -> [f64; 3] {
+        self.within.map(|within| within as f64 / self.images.max(1) as f64)
+    }
+
+    /// Whether errors are as large as their standard errors say, within what chance does to so few blocks (the images of one err together), and centres are as
+    /// good as is asked.
+    ///
+    /// # Source
+    /// Wilson & Hilferty 1931 (quantiles of χ²).
     fn is_held(&self) -> bool {
-        let scatter = BEYOND_CHANCE * (2.0 / self.linked.max(1) as f64).sqrt();
-        self.mean(&self.ratios).iter().all(|mean| (HELD[0] - scatter..=HELD[1] + scatter).contains(mean))
+        let scatter = 2.0 / (9.0 * self.linked.max(1) as f64);
+        let quantile = |deviate: f64| (1.0 - scatter + deviate * scatter.sqrt()).max(0.0).powi(3);
+        let held = HELD[0] * quantile(-BY_CHANCE)..=HELD[1] * quantile(BY_CHANCE);
+        self.mean(&self.ratios).iter().all(|mean| held.contains(mean)) && self.shares().iter().all(|share| *share >= LEAST_WITHIN)
     }
 
     fn print(&self, name: &str, blocks: u32) {
@@ -247,6 +264,10 @@ impl Sums {
         println!("  {name}: {} of {blocks} blocks linked", self.linked);
         println!(
             "    RMS error of centres X {x:.3}, Y {y:.3}, Z {z:.3} m, of ω {omega:.4}, φ {phi:.4}, κ {kappa:.4}°, of f {focal:.2} px, which the orthophoto changed by {change:.2} px"
+        );
+        let [x, y, z] = self.shares().map(|share| 100.0 * share);
+        println!(
+            "    within {ASKED_PX} px of the orthophoto, of Z times the factor of each image: X {x:.0} %, Y {y:.0} %, Z {z:.0} % of the centres"
         );
         println!("    mean square of error by standard error X Y Z ω φ κ f, change of f {:.2?}", self.mean(&self.ratios));
     }

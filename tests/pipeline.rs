@@ -285,8 +285,11 @@ fn two_images_that_few_matches_join_are_weak_as_a_pair_is_and_a_third_image_chec
 fn a_copy_of_an_image_is_left_out_and_named() {
     let folder = folder("copy");
     let copy = ("photo_00001 again.pgm".to_string(), photos()["photo_00001.pgm"].clone());
+    // The same picture in another file.
+    let noted = photos()["photo_00002.pgm"].clone();
+    let noted = ("photo_00002 noted.pgm".to_string(), [&noted[..2], b"\n# noted", &noted[2..]].concat());
     let mut paths: Vec<PathBuf> = Vec::new();
-    for (name, bytes) in photos().iter().chain([(&copy.0, &copy.1)]) {
+    for (name, bytes) in photos().iter().chain([(&copy.0, &copy.1), (&noted.0, &noted.1)]) {
         let path = folder.join(name);
         fs::write(&path, bytes).unwrap();
         paths.push(path);
@@ -295,7 +298,12 @@ fn a_copy_of_an_image_is_left_out_and_named() {
     let run = run_block(&paths, &[], options(), &folder.join("work"), 2, drop).unwrap();
     let told: Vec<(&str, String)> = run.skipped.iter().map(|image| (image.name.as_str(), image.reason.to_string())).collect();
     // In the order of names a blank comes before the full stop.
-    assert!(told.len() == 1 && told[0].0 == "photo_00001.pgm" && told[0].1.contains("photo_00001 again.pgm"), "{told:?}");
+    for ((name, reason), (left_out, like)) in
+        told.iter().zip([("photo_00001.pgm", "photo_00001 again.pgm"), ("photo_00002.pgm", "photo_00002 noted.pgm")])
+    {
+        assert!(*name == left_out && reason.contains(like), "{told:?}");
+    }
+    assert_eq!(told.len(), 2);
     assert_eq!(run.images.len(), photos().len());
     assert_eq!(run.reconstruction.unwrap().models[0].images.len(), photos().len());
 }

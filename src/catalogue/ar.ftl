@@ -252,7 +252,15 @@ unsupported-tiff-floats = ‏TIFF بعينات الفاصلة العائمة غ�
 unsupported-tiff-signed = ‏TIFF بعينات ذات إشارة أو غير معرَّفة غير مدعوم؛ المسموح: أعداد صحيحة بلا إشارة من 8 أو 16 بت
 unsupported-tiff-bits = ‏TIFF من { $bits } بت للعينة غير مدعوم؛ المسموح: 8 أو 16 بت للعينة
 unsupported-tiff-colours = ‏TIFF بالتفسير الضوئي { $photometric } و{ $samples } من العينات بقدر { $bits } بت غير مدعوم؛ المسموح: رمادي (0، 1)، وRGB (2) بثلاث عينات أو أكثر، ولوحة ألوان (3) من 8 بت
-unsupported-tiff-compression = ‏TIFF بالضغط { $compression } غير مدعوم؛ المسموح: بلا ضغط، LZW، JPEG، Deflate، PackBits (1، 5، 7، 8، 32946، 32773)
+unsupported-tiff-compression =
+    ‏TIFF بالضغط { $compression ->
+        [50000] 50000 (ZSTD)
+        [50001] 50001 (WebP)
+        [34925] 34925 (LZMA)
+        [34887] 34887 (LERC)
+        [34712] 34712 (JPEG 2000)
+       *[other] { $compression }
+    } غير مدعوم؛ المسموح: بلا ضغط، LZW، JPEG، Deflate، PackBits (1، 5، 7، 8، 32946، 32773)، كما يكتبه gdal_translate -co COMPRESS=DEFLATE
 unsupported-tiff-tile-side = ‏TIFF بضلع بلاطة أكبر من 65536 بكسل غير مدعوم؛ المسموح: حتى 65536 بكسل
 unsupported-tiff-tile-row = ‏TIFF فيه { $bytes } بايت في صف بلاطة غير مدعوم؛ المسموح: حتى 16777216
 unsupported-tiff-bands = ‏TIFF من { $bands } نطاقات مع متنبئ غير مدعوم؛ المسموح: 1 أو 3 أو 4 نطاقات (رابعها الشفافية)، أو بلا متنبئ
@@ -833,6 +841,13 @@ block-warning-measurements-rejected =
 block-warning-focal-estimated = البعد البؤري لـ{ $camera } غير معروف؛ قُدّر بخطأ معياري ± { FIXED($error_px, digits: 1) } بكسل.
 block-warning-focal-undetermined = البعد البؤري لـ{ $camera } غير معروف، ولا تحدده الكتلة: مقياس الارتفاعات خاطئ.
 block-warning-focal-of-ground = تجعل الصور وحدها البعد البؤري لـ{ $camera } { FIXED($images_px, digits: 1) } ± { FIXED($images_error_px, digits: 1) } بكسل، وتجعله مواضع الصورة المصححة { FIXED($ground_px, digits: 1) } ± { FIXED($ground_error_px, digits: 1) } بكسل، والفرق أكبر مما تفسره الصدفة: قد تكون ارتفاعات الصور خاطئة بهذا القدر. أعطِ كاميرا معايرة، أو افحص الصورة المصححة وارتفاعاتها.
+block-warning-orthophoto-apart =
+    تضع الصورة المصححة الكتلة أفقيًا على بُعد { AMOUNT($plan_m, digits: 0) } م من مواقع صورها في GNSS، في وسيط { $images } منها، والمعتاد { AMOUNT($usual_m, digits: 0) } م على الأكثر: تحقق من النظام الإحداثي للصورة المصححة ومن المواقع.
+block-warning-orthophoto-heights-apart =
+    تضع الصورة المصححة الكتلة { SIGN($height_m) ->
+        [minus] أدنى
+       *[plus] أعلى
+    } من مواقع صورها في GNSS بمقدار { AMOUNT($height_m, digits: 1) } م، في وسيط { $images } منها، والمعتاد { FIXED($usual_m, digits: 1) } م على الأكثر: تحقق من الارتفاعات، فهي منزاحة كلها أو محسوبة من صفر غير صفر المواقع، كمستوى سطح البحر بدل المجسم الإهليلجي (--heights-geoid-m)، ومن المواقع.
 block-warning-parameter-fixed = لا تحدد الكتلة { $camera_parameter } لـ{ $camera }؛ فبقيت قيمته التقريبية.
 block-warning-few-observations =
     { $images_count ->
@@ -1148,6 +1163,7 @@ placing-weakness-height = لا يُعرف الارتفاع فوق الأرض، �
 placing-weakness-rejected = رُفض { $rejected } من { $links } من النقاط: تحقق من الارتفاعات والكاميرا.
 placing-weakness-plan = لا يُعرف موضع مركز الإسقاط إلا بحدود ± { SIGNIFICANT($half_width_m, digits: 2) } م (95 %)، على { FIXED($height_m, digits: 0) } م فوق الأرض: تحقق من الارتفاعات والكاميرا.
 placing-weakness-camera = تطلب النقاط { $camera_parameter } بمقدار { FIXED($estimated_px, digits: 1) } بكسل، والمعروف { FIXED($prior_px, digits: 1) } بكسل، والفرق { FIXED($apart, digits: 1) } انحرافًا معياريًا منه: تحقق من الكاميرا والارتفاعات.
+placing-weakness-contradicted-focal = البعد البؤري المعطى { SIGNIFICANT($given_px, digits: 4) } بكسل، ويقول ملف الصورة { SIGNIFICANT($file_px, digits: 4) } بكسل: ويخطئ الارتفاع بقدر خطأ هذا البعد. تحقق من الكاميرا.
 placing-weakness-height-factor = تطلب النقاط فروق ارتفاع تساوي { FIXED($factor, digits: 2) } ± { SIGNIFICANT($standard_error, digits: 1) } مرة من فروق الارتفاعات المعطاة: تحقق من أن الارتفاعات لهذه الأرض وبوحدة الصورة المصححة.
 placing-weakness-relief = في { PERCENT($displaced, digits: 0) } من الصورة تقع النقاط معًا في غير الموضع الذي تحدده الارتفاعات: تحقق من أن الارتفاعات لهذه الأرض وبوحدة الصورة المصححة. منسوب واحد يصلح للأرض المستوية وحدها.
 placing-weakness-gnss = تبعد أفقيًا { FIXED($plan_m, digits: 0) } م عن موقعها في GNSS، والمعتاد { FIXED($usual_m, digits: 0) } م على الأكثر: تحقق من النظام الإحداثي للصورة المصححة ومن الارتفاعات ومن الموقع.
@@ -1223,7 +1239,7 @@ refusal-unused-patterns = الكاميرات: أُعطي { $patterns }، ولا 
 
 # The model of a block.
 refusal-image-name = صورة الكتلة: أُعطي الاسم { $name } للصورة { $image } (العد من 0)؛ المسموح: اسم بلا محارف تحكم
-refusal-copy-of-image = صورة الكتلة: أُعطي الملف نفسه كما في { $name }؛ المسموح: كل صورة مرة واحدة
+refusal-copy-of-image = صورة الكتلة: أُعطيت الصورة نفسها كما في { $name }؛ المسموح: كل صورة مرة واحدة
 refusal-image-name-again = صورة الكتلة: أُعطي الاسم '{ $name }' للصورتين { $first } و{ $second } (العد من 0)؛ المسموح: كل اسم مرة واحدة
 refusal-camera-of-image = كاميرا صورة: أُعطي الرقم { $camera } للصورة '{ $name }'؛ المسموح: أرقام دون { $cameras }
 refusal-point-number-again = نقطة الكتلة: أُعطي الرقم { $number } للنقطتين { $first } و{ $second } (العد من 0)؛ المسموح: كل رقم مرة واحدة

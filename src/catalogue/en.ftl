@@ -262,7 +262,15 @@ unsupported-tiff-floats = TIFF with floating-point samples is not supported; all
 unsupported-tiff-signed = TIFF with signed or undefined samples is not supported; allowed: unsigned integers of 8 or 16 bits
 unsupported-tiff-bits = TIFF of { $bits } bits a sample is not supported; allowed: 8 or 16 bits a sample
 unsupported-tiff-colours = TIFF of photometric interpretation { $photometric } with { $samples } samples of { $bits } bits is not supported; allowed: grey (0, 1), RGB (2) with 3 or more samples, palette (3) of 8 bits
-unsupported-tiff-compression = TIFF with compression { $compression } is not supported; allowed: none, LZW, JPEG, Deflate, PackBits (1, 5, 7, 8, 32946, 32773)
+unsupported-tiff-compression =
+    TIFF with compression { $compression ->
+        [50000] 50000 (ZSTD)
+        [50001] 50001 (WebP)
+        [34925] 34925 (LZMA)
+        [34887] 34887 (LERC)
+        [34712] 34712 (JPEG 2000)
+       *[other] { $compression }
+    } is not supported; allowed: none, LZW, JPEG, Deflate, PackBits (1, 5, 7, 8, 32946, 32773), as gdal_translate -co COMPRESS=DEFLATE writes it
 unsupported-tiff-tile-side = TIFF with a tile side of more than 65,536 px is not supported; allowed: tile sides of up to 65,536 px
 unsupported-tiff-tile-row = TIFF with { $bytes } bytes in a row of a tile is not supported; allowed: up to 16,777,216
 unsupported-tiff-bands = TIFF of { $bands } bands with a predictor is not supported; allowed: 1, 3 or 4 bands (the fourth alpha), or no predictor
@@ -344,7 +352,7 @@ refusal-unused-patterns = the cameras: got { $patterns }, which fit no image; al
 
 # The model of a block.
 refusal-image-name = image of the block: got the name { $name } of image { $image } (counted from 0); allowed: a name without control characters
-refusal-copy-of-image = image of the block: got the same file as { $name }; allowed: each image once
+refusal-copy-of-image = image of the block: got the same picture as { $name }; allowed: each image once
 refusal-image-name-again = image of the block: got the name '{ $name }' for images { $first } and { $second } (counted from 0); allowed: each name once
 refusal-camera-of-image = camera of an image: got index { $camera } for '{ $name }'; allowed: indices below { $cameras }
 refusal-point-number-again = point of the block: got the number { $number } for points { $first } and { $second } (counted from 0); allowed: each number once
@@ -1365,6 +1373,13 @@ block-warning-measurements-rejected =
 block-warning-focal-estimated = The focal length of { $camera } is not known; it is estimated with a standard error of ± { FIXED($error_px, digits: 1) } px.
 block-warning-focal-undetermined = The focal length of { $camera } is not known, and the block does not determine it: the scale of the heights is wrong.
 block-warning-focal-of-ground = The images by themselves make the focal length of { $camera } { FIXED($images_px, digits: 1) } ± { FIXED($images_error_px, digits: 1) } px, the places of the orthophoto { FIXED($ground_px, digits: 1) } ± { FIXED($ground_error_px, digits: 1) } px, further apart than chance has them: heights of the images may be as wrong. Give a calibrated camera, or check the orthophoto and its heights.
+block-warning-orthophoto-apart =
+    The orthophoto has the block { AMOUNT($plan_m, digits: 0) } m from the GNSS positions of its images in plan, in the median of { $images }, where { AMOUNT($usual_m, digits: 0) } m are usual at most: check the coordinate system of the orthophoto and the positions.
+block-warning-orthophoto-heights-apart =
+    The orthophoto has the block { AMOUNT($height_m, digits: 1) } m { SIGN($height_m) ->
+        [minus] below
+       *[plus] above
+    } the GNSS positions of its images, in the median of { $images }, where { FIXED($usual_m, digits: 1) } m are usual at most: check the heights, which are off as a whole or count from another zero than the positions, as sea level in place of the ellipsoid (--heights-geoid-m), and the positions.
 block-warning-parameter-fixed = The block does not determine { $camera_parameter } of { $camera }; it keeps its approximate value.
 block-warning-few-observations =
     { $images_count ->
@@ -1681,6 +1696,7 @@ placing-weakness-height = The height above ground, { FIXED($height_m, digits: 0)
 placing-weakness-rejected = { $rejected } of { $links } points were rejected: check the heights and the camera.
 placing-weakness-plan = The place of the projection centre is known to ± { SIGNIFICANT($half_width_m, digits: 2) } m only (95 %), { FIXED($height_m, digits: 0) } m above ground: check the heights and the camera.
 placing-weakness-camera = The points ask for { $camera_parameter } of { FIXED($estimated_px, digits: 1) } px where { FIXED($prior_px, digits: 1) } px was known, { FIXED($apart, digits: 1) } standard deviations of that apart: check the camera and the heights.
+placing-weakness-contradicted-focal = The focal length is given as { SIGNIFICANT($given_px, digits: 4) } px, where the file of the image says { SIGNIFICANT($file_px, digits: 4) } px: with a wrong one the height is wrong by as much. Check the camera.
 placing-weakness-height-factor = The points ask for differences of height { FIXED($factor, digits: 2) } ± { SIGNIFICANT($standard_error, digits: 1) } times those of the heights: check that the heights are of this ground, and in the unit of the orthophoto.
 placing-weakness-relief = In { PERCENT($displaced, digits: 0) } of the image the points lie together elsewhere than the heights put them: check that the heights are of this ground, and in the unit of the orthophoto. One level stands for level ground alone.
 placing-weakness-gnss = It lies { FIXED($plan_m, digits: 0) } m from its GNSS position in plan, where { FIXED($usual_m, digits: 0) } m are usual at most: check the coordinate system of the orthophoto, the heights and the position.

@@ -16,7 +16,7 @@ use super::verdict::contradiction;
 use crate::error::refuse;
 use crate::math::{NORMAL_MEDIAN, dot3, median, minus};
 use crate::pipeline::GroundPoint;
-use crate::{BlockRun, ControlRole, Error, ExifPosition, Failure, GreyView, Input, NotLinked, Pose, Refusal, Remark};
+use crate::{BlockRun, ControlRole, Error, ExifPosition, Failure, GreyView, Input, NotLinked, OnOrthophoto, Pose, Refusal, Remark};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -156,11 +156,15 @@ impl BlockLinks {
             return run.not_linked(NotLinked::FewImages { placed, images: oriented, needed: LEAST_IMAGES });
         }
         let points = self.points(&in_metres(into.as_ref(), reference), options);
-        match into.map(|into| into.taken(points.clone(), reference)).transpose() {
+        let on_ground = match into.map(|into| into.taken(points.clone(), reference)).transpose() {
             Ok(None) => run.on_ground(&points, reference.epsg, &[]),
             Ok(Some((points, remarks))) => run.on_ground(&points, reference.epsg, &remarks),
-            Err(error) => run.not_linked(NotLinked::Failed { failure: Failure::from(&error) }),
-        }
+            Err(error) => return run.not_linked(NotLinked::Failed { failure: Failure::from(&error) }),
+        };
+        on_ground.map(|found| match found.orthophoto {
+            Some(OnOrthophoto::Linked { .. }) => found.judged_beside_positions(reference, options),
+            _ => found,
+        })
     }
 
     /// The places of the ground, of which each square gives one.

@@ -1,7 +1,8 @@
 //! The camera of an image that is to be placed, from what its file and the user say of it.
 
 use super::adjusting::PlacingCamera;
-use crate::pipeline::CameraRules;
+use super::outcome::{PlacedImage, PlacingVerdict, PlacingWeakness};
+use crate::pipeline::{CameraRules, contradicted_focal};
 use crate::{BlockRun, CameraUncertainty, ExifImage, KnownCamera};
 
 impl PlacingCamera {
@@ -42,6 +43,20 @@ impl PlacingCamera {
     }
 }
 
+impl PlacedImage {
+    /// Beside what the file of the image says of its camera: of one that was given with another focal length it is placed with doubt.
+    pub fn beside_file(self, rules: &CameraRules, name: &str, size: [u32; 2], exif: &ExifImage) -> Self {
+        match (self.verdict, contradicted_focal(rules, name, size, exif)) {
+            (PlacingVerdict::Placed { links, .. }, Some((_, [given_px, file_px]))) => {
+                let placing_weakness = PlacingWeakness::ContradictedFocal { given_px, file_px };
+                Self { verdict: PlacingVerdict::Weak { links, placing_weakness }, ..self }
+            }
+            // What is doubted already says its own reason.
+            (verdict, _) => Self { verdict, ..self },
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -61,5 +76,27 @@ mod tests {
         };
         assert_eq!([of("a1", &exif), of("b1", &exif), of("c1", &exif)], [(900.0, 0.0), (950.0, 0.05), (1000.0, 0.05)]);
         assert_eq!(of("c1", &ExifImage::default()), (850.0, 0.4));
+    }
+
+    #[test]
+    fn a_focal_length_that_the_file_contradicts_is_doubted() {
+        let rules = CameraRules::read(Some(
+            r#"{"cameras": [{"images": "a*", "focal_px": 1600, "fixed": true}, {"images": "b*", "focal_px": 1100}]}"#,
+        ));
+        let camera = ExifCamera { focal_mm: 5.0, pixel_mm: Some(0.005), ..ExifCamera::default() };
+        let exif = ExifImage { camera: Some(camera), ..ExifImage::default() };
+        let sure = || PlacingVerdict::Placed { links: 400, sigma0_px: 0.3, half_width_m: 0.2 };
+        let rules = rules.unwrap();
+        let judged = |name: &str, exif: &ExifImage, verdict: PlacingVerdict| {
+            PlacedImage { verdict, placement: None, search: None }.beside_file(&rules, name, [1000, 800], exif).verdict
+        };
+        let placing_weakness = PlacingWeakness::ContradictedFocal { given_px: 1600.0, file_px: 1000.0 };
+        assert_eq!(judged("a1", &exif, sure()), PlacingVerdict::Weak { links: 400, placing_weakness });
+        // Nearly the same; nothing given; a file that says nothing; what is doubted already.
+        for (name, exif) in [("b1", exif.clone()), ("c1", exif.clone()), ("a1", ExifImage::default())] {
+            assert_eq!(judged(name, &exif, sure()), sure(), "{name}");
+        }
+        let weak = PlacingVerdict::Weak { links: 20, placing_weakness: PlacingWeakness::FewLinks { links: 20, needed: 30 } };
+        assert_eq!(judged("a1", &exif, weak.clone()), weak);
     }
 }

@@ -12,6 +12,7 @@
 //! The other way round: an oriented block → its map (`block_map`, `map_nodes`) → `mosaic` → a picture of the ground, which `write` makes a GeoTIFF.
 
 mod adjusting;
+mod beside_positions;
 mod block_links;
 mod block_map;
 mod by_hand;

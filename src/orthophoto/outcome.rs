@@ -41,6 +41,8 @@ messages! {
         Plan { height_m: f64, half_width_m: f64 },
         /// The camera that the links ask for is not the one that was known: so many standard deviations of what was known apart.
         Camera { camera_parameter: CameraParameter, estimated_px: f64, prior_px: f64, apart: f64 },
+        /// The focal length that was given is far from that which the file of the image says.
+        ContradictedFocal { given_px: f64, file_px: f64 },
         /// The heights would have to be so many times what they are about their mean.
         HeightFactor { factor: f64, standard_error: f64 },
         /// In this share of the image points lie together elsewhere than the heights put them.
@@ -49,7 +51,7 @@ messages! {
         Gnss { plan_m: f64, usual_m: f64 },
         /// It lies so far from its GNSS position that one of them is of elsewhere, and what would bring one to the other.
         FarFromGnss { distance_km: f64, place_slip: PlaceSlip },
-        /// It lies higher than a precise GNSS position, or lower (below 0), than that, the place itself and the heights of the ground may be off.
+        /// It lies higher than its GNSS position, or lower (below 0), than that, the place itself and the heights of the ground may be off.
         GnssHeight { height_m: f64, usual_m: f64 },
         /// Links disagree far more than those of good pictures do.
         Noise { rmse_px: f64, usual_px: f64 },
@@ -92,7 +94,7 @@ messages! {
         ApartFromGnss { plan_m: f64, usual_m: f64 },
         /// It was found so far from its position that one of them is of elsewhere, and is doubted for another reason.
         FarFromGnss { distance_km: f64, place_slip: PlaceSlip },
-        /// It was found higher than its precise position, or lower (below 0), than both may err, and is doubted for another reason.
+        /// It was found higher than its position, or lower (below 0), than both may err, and is doubted for another reason.
         HeightApartFromGnss { height_m: f64, usual_m: f64 },
         /// It was not: all that may be searched was.
         BeyondGnss { within_m: f64 },

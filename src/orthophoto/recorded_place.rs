@@ -54,18 +54,17 @@ pub(super) fn sought(
 }
 
 /// The position of an image beside an orthophoto whose system is known.
-struct Recorded<'a> {
+pub(super) struct Recorded<'a> {
     position: &'a ExifPosition,
     reference: &'a Orthophoto,
     /// Absent where it lies outside of that system.
     on_map: Option<RecordedPlace>,
-    /// Where that is precise.
     height: Option<RecordedHeight>,
 }
 
 impl<'a> Recorded<'a> {
     /// Absent where another place is given by the options, which goes before it.
-    fn of(position: Option<&'a RecordedPosition>, reference: &'a Orthophoto, options: &PlacingOptions) -> Option<Self> {
+    pub fn of(position: Option<&'a RecordedPosition>, reference: &'a Orthophoto, options: &PlacingOptions) -> Option<Self> {
         let is_free = options.near_x.is_none() && options.near_y.is_none();
         let recorded = position.filter(|_| is_free && reference.is_on_earth())?;
         let on_map = recorded_place(&recorded.position, reference);
@@ -76,7 +75,8 @@ impl<'a> Recorded<'a> {
     /// An image that was placed, with how far that is from its position in plan: heights of another ground and another system of the orthophoto show there
     /// alone. Where it is farther than both may err, it is placed with doubt.
     fn beside(&self, placed: PlacedImage) -> PlacedImage {
-        let Some((plan_m, usual_m, place)) = placed.placement.as_ref().and_then(|placement| self.apart(placement)) else { return placed };
+        let of_placement = |placement: &Placement| self.apart(placement.pose.position, placement.position_errors_m);
+        let Some((plan_m, usual_m, place)) = placed.placement.as_ref().and_then(of_placement) else { return placed };
         let search = match placed.search {
             Some(PlaceSearch::Gnss { within_m, .. }) => Some(PlaceSearch::Gnss { within_m, plan_m }),
             other => other,
@@ -101,9 +101,9 @@ impl<'a> Recorded<'a> {
         }
     }
 
-    /// An image that lies near its position in plan: where it is higher or lower than a precise one, it is placed with doubt.
+    /// An image that lies near its position in plan: where it is higher or lower than that, it is placed with doubt.
     fn beside_height(&self, placed: PlacedImage) -> PlacedImage {
-        let of_placement = |placement: &Placement| self.height.as_ref()?.apart(placement, self.on_map.as_ref()?.unit_m);
+        let of_placement = |placement: &Placement| self.height_apart(placement.pose.position, placement.position_errors_m);
         let Some(HeightApart { height_m, usual_m }) = placed.placement.as_ref().and_then(of_placement) else { return placed };
         match placed.verdict {
             PlacingVerdict::Placed { links, .. } => {
@@ -115,18 +115,26 @@ impl<'a> Recorded<'a> {
         }
     }
 
-    /// How far an image lies from its position in plan and how far it may lie from it, in m, and where it is. Absent where nothing says the first: the
-    /// orthophoto is nowhere on the earth in its own system.
-    fn apart(&self, placement: &Placement) -> Option<(f64, f64, [f64; 2])> {
-        let [x, y, _] = placement.pose.position;
+    /// How far an image at this place lies from its position in plan and how far it may lie from it, in m, and where it is. Absent where nothing says the first:
+    /// the orthophoto is nowhere on the earth in its own system. `errors`: standard errors of the place.
+    pub fn apart(&self, [x, y, _]: [f64; 3], errors: Option<[f64; 3]>) -> Option<(f64, f64, [f64; 2])> {
         let (plan_m, unit_m) = match &self.on_map {
             Some(RecordedPlace { place, unit_m }) => (unit_m * libm::hypot(x - place[0], y - place[1]), *unit_m),
             None => (self.reference.distance_on_earth_m([x, y], self.position)?, self.reference.unit_m()?),
         };
-        let own_m = placement.position_errors_m.map_or(0.0, |[x, y, _]| unit_m * libm::hypot(x, y));
-        let usual_m = libm::hypot(USUAL_M.max(STATED * self.position.error_m.unwrap_or(0.0)), STATED * own_m);
-        Some((plan_m, usual_m, [x, y]))
+        Some((plan_m, usual_m(self.position, errors.map(|errors| errors.map(|error| unit_m * error))), [x, y]))
     }
+
+    /// How far an image at this place lies above its position, where that is beyond what both may be off. Absent where nothing says it.
+    pub fn height_apart(&self, [_, _, height]: [f64; 3], errors: Option<[f64; 3]>) -> Option<HeightApart> {
+        self.height.as_ref()?.apart(height, errors?[2], self.on_map.as_ref()?.unit_m)
+    }
+}
+
+/// How far from its position an image may lie in plan. `errors_m`: standard errors of its place.
+pub(super) fn usual_m(position: &ExifPosition, errors_m: Option<[f64; 3]>) -> f64 {
+    let own_m = errors_m.map_or(0.0, |[x, y, _]| libm::hypot(x, y));
+    libm::hypot(USUAL_M.max(STATED * position.error_m.unwrap_or(0.0)), STATED * own_m)
 }
 
 /// An image that was placed without a search, judged beside its position as one that was sought.

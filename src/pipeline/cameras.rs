@@ -228,18 +228,24 @@ pub(super) fn doubtful(cameras: &[InitialCamera]) -> impl Iterator<Item = Remark
     })
 }
 
+/// The label of the camera that is given for an image, and its focal length beside what the file of the image says, where that is another one.
+pub(crate) fn contradicted_focal(rules: &CameraRules, name: &str, size: [u32; 2], exif: &ExifImage) -> Option<(String, [f64; 2])> {
+    let InitialCamera { label, focal_px, .. } = rules.camera_of(name, size, exif).1;
+    let both = focal_px.filter(|_| rules.fits(name)).zip(of_exif(size, exif).focal_px);
+    both.filter(|(given, file)| contradict(*given, *file)).map(|both| (label, both.into()))
+}
+
 /// Given cameras whose focal length is another than what the files of their images say, each once, with these images.
 pub(super) fn contradicted<'a>(
     rules: &CameraRules,
     images: impl Iterator<Item = (&'a str, [u32; 2], &'a ExifImage)>,
 ) -> impl Iterator<Item = Remark> {
     let mut found: Vec<(String, [f64; 2], Vec<String>)> = Vec::new();
-    for (name, size, exif) in images.filter(|(name, ..)| rules.fits(name)) {
-        let InitialCamera { label, focal_px, .. } = rules.camera_of(name, size, exif).1;
-        let Some(both) = focal_px.zip(of_exif(size, exif).focal_px).filter(|(given, file)| contradict(*given, *file)) else { continue };
+    for (name, size, exif) in images {
+        let Some((label, both)) = contradicted_focal(rules, name, size, exif) else { continue };
         match found.iter_mut().find(|(known, ..)| *known == label) {
             Some((.., images)) => images.push(name.to_string()),
-            None => found.push((label, both.into(), vec![name.to_string()])),
+            None => found.push((label, both, vec![name.to_string()])),
         }
     }
     found.into_iter().map(|(label, [focal_px, file_px], images)| Remark::ContradictedFocal { label, focal_px, file_px, images })

@@ -12,7 +12,10 @@ use super::{BlockRun, EditedRun, OnOrthophoto};
 use crate::editing::{BlockEdit, FoundBlock, edited_model};
 use crate::error::refuse;
 use crate::reconstruction::PLACING;
-use crate::{Error, GroundControlRow, Input, ObservationVerdict, PointSource, ReconstructedModel, ReconstructionOptions, Refusal, Remark};
+use crate::{
+    BlockWarning, Error, GroundControlRow, Input, ObservationVerdict, PointSource, ReconstructedModel, ReconstructionOptions, Refusal,
+    Remark,
+};
 use std::collections::BTreeSet;
 use std::mem::discriminant;
 
@@ -131,6 +134,12 @@ impl BlockRun {
         tell_elsewhere(&mut model, &as_found, &found.unknown_images, &found.images, &input);
         tell_stated_errors(&mut model, &description, &found.images, &input);
         tell_after_edits(&mut model, &before.models[0], &description);
+        if linked.is_some() {
+            // Edits bring no block to where its positions are.
+            let stays =
+                |told: &&BlockWarning| matches!(told, BlockWarning::OrthophotoApart { .. } | BlockWarning::OrthophotoHeightsApart { .. });
+            model.warnings.extend(before.models[0].warnings.iter().filter(stays).cloned());
+        }
         let placed = match linked {
             Some(epsg) => Some(linked_places(&model, &description, &input, epsg)),
             None => placed_by_hand(&model, edits, as_found.control.len(), in_crs),

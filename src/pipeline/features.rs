@@ -1,7 +1,7 @@
 //! Features of an image, where its mask lets them be, as they are kept.
 
 use super::mask_file::decode_mask;
-use super::records::{column, is_whole, kept, read_record, rows_of, write_record};
+use super::records::{column, digest, is_whole, kept, read_record, rows_of, write_record};
 use super::task::FeatureTask;
 use crate::{DESCRIPTOR_BYTES, DecodeLimits, Decoded, Error, ExifImage, GreyImage, decode, features as find};
 use serde::{Deserialize, Serialize};
@@ -41,6 +41,12 @@ impl<'a> Features<'a> {
     /// x and y in px.
     pub fn positions(&self) -> Vec<[f32; 2]> {
         rows_of(self.positions, f32::from_le_bytes)
+    }
+
+    /// A digest of all features, which images of the same pixels share, whatever else their files hold; absent where there are none.
+    pub fn digest(&self) -> Option<String> {
+        let all = [self.positions, self.shapes, self.descriptors.as_flattened()].concat();
+        (self.count > 0).then(|| digest(&all))
     }
 
     /// Scale in px, direction in rad and weight.

@@ -19,7 +19,8 @@ enum Found {
         content: String,
         key: String,
     },
-    Read(Box<Read>),
+    /// With what tells whether another image shows the same.
+    Read(Box<Read>, String),
     Skipped(SkippedImage),
 }
 
@@ -36,13 +37,14 @@ impl Images {
         Self { next: 0, found: (0..count).map(|_| Found::Nothing).collect(), keeps_coarse }
     }
 
-    /// The images in the order of their names, those that were skipped, and those that are copies of others: their observations would count twice.
+    /// The images in the order of their names, those that were skipped, and those that are copies of others, also where their files differ in what else they
+    /// hold: their observations would count twice.
     pub fn ended(self) -> (Vec<Read>, Vec<SkippedImage>, Vec<SkippedImage>) {
         let (mut read, mut skipped, mut copies) = (Vec::new(), Vec::new(), Vec::new());
-        let mut by_content = BTreeMap::<String, String>::new();
+        let mut by_what_is_shown = BTreeMap::<String, String>::new();
         for found in self.found {
             match found {
-                Found::Read(image) => match by_content.entry(image.image.content.clone()) {
+                Found::Read(image, shown) => match by_what_is_shown.entry(shown) {
                     Entry::Occupied(earlier) => copies.push(copy_of(earlier.get(), &image.image.name)),
                     Entry::Vacant(new) => {
                         new.insert(image.image.name.clone());
@@ -95,6 +97,7 @@ impl Stage for Images {
         let (name, masked) = (state.input.images[item].clone(), state.input.mask_of[item].is_some());
         let coarse = if self.keeps_coarse { coarse_of(&features) } else { Vec::new() };
         let positions = features.positions();
+        let shown = features.digest().unwrap_or_else(|| content.clone());
         let (head, count) = (features.head, features.count as u32);
         let (width_px, height_px) = (head.width_px, head.height_px);
         let camera = state.input.rules.camera_of(&name, [width_px, height_px], &head.exif).1;
@@ -113,7 +116,7 @@ impl Stage for Images {
             given,
             camera: 0,
         };
-        self.found[item] = Found::Read(Box::new(Read { image, positions, coarse }));
+        self.found[item] = Found::Read(Box::new(Read { image, positions, coarse }), shown);
         Ok(Some(Done::of(name, Some(News::Image(news)))))
     }
 

@@ -53,6 +53,7 @@ mod system;
 mod task;
 mod windows;
 
+pub(crate) use cameras::contradicted_focal;
 pub use cameras::{CameraRules, InitialCamera};
 pub use carried_edits::CarriedEdits;
 pub use carrying::{CarriedSteps, Carrying, EditNames, carried_steps};

@@ -165,6 +165,10 @@ messages! {
             ground_px: f64,
             ground_error_px: f64,
         },
+        /// The orthophoto has the block so far in plan from the GNSS positions of so many images, in the median, where `usual_m` is usual at most.
+        OrthophotoApart { images: usize, plan_m: f64, usual_m: f64 },
+        /// It has the block higher than they, or lower (below 0).
+        OrthophotoHeightsApart { images: usize, height_m: f64, usual_m: f64 },
         /// A parameter of a camera that the block does not determine.
         ParameterFixed { camera: NamedCamera, camera_parameter: CameraParameter },
         /// Images with fewer observations than `least`.
@@ -220,6 +224,8 @@ impl BlockWarning {
             | Self::Degrees
             | Self::FocalUndetermined { .. }
             | Self::FocalOfGround { .. }
+            | Self::OrthophotoApart { .. }
+            | Self::OrthophotoHeightsApart { .. }
             | Self::ManyRejected { .. } => true,
             Self::NoHeights
             | Self::PositionsRejected { .. }

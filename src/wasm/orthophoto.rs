@@ -183,13 +183,15 @@ impl OrthophotoReference {
         let rules = CameraRules::read(cameras.as_deref()).map_err(thrown)?;
         let image = decode(file, &limits_of(film.is_some())).map_err(thrown)?.grey;
         let exif = ExifImage::read(file, image.width() as u64, image.height() as u64);
-        let camera = PlacingCamera::of(&rules, &name, [image.width() as u32, image.height() as u32], &exif);
+        let size = [image.width() as u32, image.height() as u32];
+        let camera = PlacingCamera::of(&rules, &name, size, &exif);
         let area = self.taken_area()?;
         let position = RecordedPosition::of(given.as_ref(), &exif);
         let (grey, position) = (image.view(), position.as_ref());
         let placed = match &film {
             Some(film) => place_film(grey, film, position, &self.orthophoto, &area, &self.options),
-            None => place_recorded(grey, &camera, position, &self.orthophoto, &area, &self.options),
+            None => place_recorded(grey, &camera, position, &self.orthophoto, &area, &self.options)
+                .map(|placed| placed.beside_file(&rules, &name, size, &exif)),
         };
         self.area = Some(area);
         placed.map(|placed| pack(&placed)).map_err(thrown)
@@ -255,7 +257,7 @@ impl OrthophotoReference {
         }
         let camera = PlacingCamera::of(&rules, &name, size, &exif);
         place_by_links(&camera, position, &self.orthophoto, placement.as_ref(), &links, &options)
-            .map(|placed| pack(&placed))
+            .map(|placed| pack(&placed.beside_file(&rules, &name, size, &exif)))
             .map_err(thrown)
     }
 

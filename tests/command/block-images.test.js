@@ -65,7 +65,7 @@ test('copies of an image are left out of a block and named', () => {
   const { stdout, stderr } = tiepoint('block', twins, ...BLOCK.call.slice(2), '--out', out, '--json');
   const summary = JSON.parse(stdout);
   const copies = ['img_9.png', 'img_9b.png', 'img_10.png'];
-  assert.equal(stderr, `tiepoint: 3 files are skipped (${copies.join(', ')}): image of the block: got the same file as IMG.png; allowed: each image once\n`);
+  assert.equal(stderr, `tiepoint: 3 files are skipped (${copies.join(', ')}): image of the block: got the same picture as IMG.png; allowed: each image once\n`);
   assert.equal(summary.images.read, 2);
   assert.deepEqual(
     summary.images.left_out.map((/** @type {{name: string}} */ image) => image.name),

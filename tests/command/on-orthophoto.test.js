@@ -1,9 +1,10 @@
 /** A block in the system of an orthophoto, by the command. */
 
 import assert from 'node:assert/strict';
-import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { read_exif } from '../../pkg/node.js';
 import { marksOf } from './blocks.js';
 import { file, folder, json, tiepoint } from './command.js';
 
@@ -149,6 +150,59 @@ test('an orthophoto that lies elsewhere than the GNSS positions is doubted befor
   // Positions that take no part say nothing.
   const without = call('--gps', 'ignore');
   assert.ok(!without.stderr.includes('of the orthophoto: as'), without.stderr);
+});
+
+/** A transverse Mercator about the origin of the flight, so far east: that is where its orthophoto lies, and its heights 100 m below the ellipsoid.  @param {number} east_m */
+const about = (east_m) =>
+  `PROJCS["about",GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],PARAMETER["latitude_of_origin",50],PARAMETER["central_meridian",8],PARAMETER["scale_factor",1],PARAMETER["false_easting",${east_m}],PARAMETER["false_northing",0],UNIT["metre",1]]`;
+
+test('a block that its orthophoto has apart from the GNSS positions is weak, in plan, and in height by what these state', () => {
+  const at = folder();
+  const [picture = '', , heights = ''] = [1, 0, 3].map((k) => OWN.ground[k]);
+  const rows = readdirSync(OWN.photos).map((name) => {
+    const { position } = read_exif(readFileSync(join(OWN.photos, name)), 480, 360);
+    return [name, position?.longitude_deg, position?.latitude_deg, position?.height_m, 1, 1].join();
+  });
+  const table = file(at, 'positions.csv', ['image,longitude,latitude,height,accuracy horizontal,accuracy vertical', ...rows].join('\n'));
+  const called = (/** @type {number} */ east_m, /** @type {string[]} */ ...more) => {
+    const map = join(at, `map-${east_m}.tif`);
+    copyFileSync(picture, map);
+    writeFileSync(map.replace('.tif', '.prj'), about(-east_m));
+    const { stdout, stderr } = tiepoint(
+      ...CALL,
+      '--orthophoto',
+      map,
+      '--heights',
+      heights,
+      '--orthophoto-points',
+      '3000',
+      '--out',
+      folder(),
+      '--json',
+      ...more,
+    );
+    assert.ok(stdout !== '', stderr);
+    const { orthophoto, verdict } = JSON.parse(stdout);
+    assert.equal(orthophoto.kind, 'linked', JSON.stringify(orthophoto));
+    return verdict;
+  };
+  // Receivers that state nothing of their heights may be off by as much, or count from elsewhere.
+  const right = called(0);
+  assert.equal(right.kind, 'oriented', JSON.stringify(right));
+  const beside = called(100);
+  assert.equal(beside.kind, 'weak', JSON.stringify(beside));
+  assert.match(
+    beside.text,
+    /The orthophoto has the block (9\d|10\d) m from the GNSS positions of its images in plan, in the median of 3, where 3\d m are usual/,
+  );
+  const below = /The orthophoto has the block (9\d|10\d)\.\d m below the GNSS positions of its images, in the median of 3, where [3-9]\.\d m are usual/;
+  assert.match(called(0, '--positions', table).text, below);
+  assert.equal(called(0, '--positions', table, '--heights-geoid-m', '100').kind, 'oriented');
+  assert.equal(called(100, '--gps', 'ignore').kind, 'oriented');
+  // In a system of its own the positions take part, and are rejected.
+  const inSystem = called(0, '--positions', table, '--crs', 'EPSG:25832', '--geoid-m', '0');
+  assert.equal(inSystem.kind, 'weak');
+  assert.match(inSystem.text, below);
 });
 
 test('options of an orthophoto without one, and files that are none, are refused before anything is computed', () => {

@@ -55,6 +55,21 @@ test('photos are placed on the orthophoto of their scene, and their pictures lie
   assert.deepEqual(JSON.parse(readFileSync(join(out, 'result.json'), 'utf8')), result);
 });
 
+test('a focal length that is held and that the file of the image contradicts leaves its place in doubt, where the links say nothing', () => {
+  const at = folder();
+  const [photo = ''] = OWN.photos;
+  const held = (/** @type {number} */ times) => {
+    const focal_px = times * OWN.truth.cameras[0].focal_px;
+    const cameras = file(at, 'held.json', JSON.stringify({ cameras: [{ images: '*', focal_px, fixed: true }] }));
+    return JSON.parse(tiepoint('place', photo, ...GROUND, '--cameras', cameras, '--json').stdout).images[0];
+  };
+  assert.equal(held(1).verdict.kind, 'placed');
+  const { verdict, placement } = held(1.3);
+  assert.deepEqual([verdict.kind, verdict.placing_weakness.kind], ['weak', 'contradicted_focal'], JSON.stringify(verdict));
+  // The height is wrong by as much as the focal length.
+  assert.ok(placement.pose.position[2] > 1.2 * OWN.truth.images[0].pose.position[2], placement.pose.position.join());
+});
+
 test('what check links say of each image, and the standard errors of its angles, are printed', () => {
   const [photo = ''] = OWN.photos;
   const [{ placement }] = json('place', photo, ...GROUND).images;
