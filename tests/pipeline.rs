@@ -287,7 +287,7 @@ fn a_copy_of_an_image_is_left_out_and_named() {
     let copy = ("photo_00001 again.pgm".to_string(), photos()["photo_00001.pgm"].clone());
     // The same picture in another file.
     let noted = photos()["photo_00002.pgm"].clone();
-    let noted = ("photo_00002 noted.pgm".to_string(), [&noted[..2], b"\n# noted", &noted[2..]].concat());
+    let noted = ("photo_00002 noted.pgm".to_string(), [&noted[..2], b"\n# noted\n", &noted[2..]].concat());
     let mut paths: Vec<PathBuf> = Vec::new();
     for (name, bytes) in photos().iter().chain([(&copy.0, &copy.1), (&noted.0, &noted.1)]) {
         let path = folder.join(name);
