@@ -23,8 +23,12 @@ const asEarlier = (page, table) =>
           const reading = store.getAll();
           reading.onsuccess = () => {
             const placed = reading.result.filter(({ part }) => part.startsWith('block/placed/'));
-            for (const row of placed)
-              store.put({ ...row, value: { ...row.value, key: JSON.stringify([...JSON.parse(JSON.parse(row.value.key)[0]), positions]) } });
+            for (const row of placed) {
+              const key = JSON.parse(row.value.key);
+              // One of such a release has the table behind all else.
+              const others = String(key[0]).startsWith('[') ? JSON.parse(key[0]) : key.slice(0, -1);
+              store.put({ ...row, value: { ...row.value, key: JSON.stringify([...others, positions]) } });
+            }
             store.transaction.oncomplete = () => {
               opening.result.close();
               resolve(placed.length);
@@ -62,9 +66,11 @@ test('places by a table of positions are up to date after a reload, and after on
   };
   await again();
   assert.equal(await asEarlier(page, { name: 'flight.csv', text }), 2);
-  assert.notDeepEqual(await keys(), before);
+  const earlier = await keys();
+  assert.notDeepEqual(earlier, before);
   await again();
-  await until(page, 'the keys are as they are now', async () => String(await keys()) === String(before));
+  // What is shown as it stands there is not written again.
+  assert.deepEqual(await keys(), earlier);
   // Another table is another matter.
   await asEarlier(page, { name: 'flight.csv', text: text.replace(`${origin.latitude_deg}\n`, `${origin.latitude_deg + 1}\n`) });
   await page.reload();
