@@ -373,11 +373,11 @@ test('keys of places that earlier releases kept are written as they are now: of 
 test('marks of film are of the image of their name, which alone is placed anew with others', () => {
   const { NO_PLACING, reducePlacing } = page.placing;
   const { placedFiles, placingKey, placingKeyOf, unplacedFiles } = page.placed;
-  const { filmOf, marksOfNone, withMarks } = page.film;
+  const { filmOf, marksOfNone, NO_FILM, withMarks } = page.film;
   const files = ['1963_017.TIF', 'a.jpg'].map((name, k) => ({ id: k + 1, name, file: new Blob() }));
   const state = (/** @type {any} */ placing) => ({ placing, options: { cameras: null, positions: null }, files });
   const marks = (/** @type {string} */ name, /** @type {string} */ text) => ({ name, text });
-  const film = withMarks({ camera: marks('film.json', '{}'), marks: [] }, [marks('1963_017.csv', 'one')]);
+  const film = withMarks({ ...NO_FILM, camera: marks('film.json', '{}') }, [marks('1963_017.csv', 'one')]);
   assert.deepEqual([filmOf(film, '1963_017.TIF'), filmOf(film, 'a.jpg')], [{ camera: '{}', marks: 'one' }, null]);
   assert.deepEqual([marksOfNone(film, files), marksOfNone(film, files.slice(1))], [[], ['1963_017.csv']]);
   let placing = reducePlacing(NO_PLACING, { type: 'film', film });

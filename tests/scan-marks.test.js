@@ -31,7 +31,7 @@ const table = (/** @type {string} */ name, text = TABLE) => ({ name, text });
 const film = (/** @type {object} */ given = {}) => ({ ...page.film.NO_FILM, ...given });
 
 /** A scan in the pair.  @param {string} image @param {object} [measured] */
-const scan = (image, measured = {}) => ({ image, marks: MARKS, withoutMm: 0, size: [240, 200], ...measured });
+const scan = (image, measured = {}) => ({ image, all: MARKS, marks: MARKS, withoutMm: 0, size: [240, 200], ...measured });
 
 test('marks are written as the table of their scan, which reads as the same marks', () => {
   const made = page.scan_marks.tableOfMarks('roll.1/1963_017.tif', MARKS);
@@ -102,6 +102,42 @@ test('the block takes marks that suffice and that it has not; what the others la
   const camera = { name: 'film.json', text: '{"focal_mm": 152}' };
   assert.deepEqual(tablesToTake(film({ camera }), [off]), []);
   assert.match(lackOf(film({ camera }), [off]), /^b\.tif: .*σ0 .*exchanged, or one is mistyped\.$/);
+});
+
+test('marks that fit each other badly are taken with a word, which names the one that stands out', () => {
+  const { tablesToTake, lackOf } = page.scan_marks;
+  const given = film({ areScans: true });
+  const off = MARKS.map((mark, i) => (i === 2 ? { ...mark, col: mark.col + 20 } : mark));
+  const marks = [...off, { col: 120, row: NaN, x_mm: 0, y_mm: NaN }];
+  assert.equal(
+    lackOf(given, [scan('b.tif', { all: marks, marks: off })]),
+    'b.tif: σ₀ of its marks is 6.9 px of the scan; mark 3 fits worst: measure it again, or correct its x and y.',
+  );
+  assert.equal(tablesToTake(given, [scan('b.tif', { all: marks, marks: off })]).length, 1);
+  // Of three marks nothing can be told; a pixel is no fault.
+  assert.equal(lackOf(given, [scan('b.tif', { all: off, marks: off.slice(0, 3) })]), '');
+  assert.equal(lackOf(given, [scan('b.tif', { marks: MARKS.map((mark, i) => (i === 2 ? { ...mark, col: mark.col + 3 } : mark)) })]), '');
+});
+
+test('marks that are not used stay with their scan while others are shown, and are kept with the block', () => {
+  const { begunIn, marksToMeasure, tableOfMarks } = page.scan_marks;
+  const { withBegun, withMarks } = page.film;
+  const given = film({ areScans: true, marks: [table('b.csv')] });
+  const all = MARKS.map((mark) => ({ ...mark, x_mm: NaN, y_mm: NaN }));
+  const scans = [scan('a.tif', { all, marks: [], withoutMm: 4 }), scan('b.tif')];
+  const begun = begunIn(given, scans);
+  assert.deepEqual(begun, [{ image: 'a.tif', marks: all }]);
+  const left = withBegun(given, ['a.tif', 'b.tif'], begun);
+  assert.deepEqual(marksToMeasure(left, 'a.tif'), all);
+  assert.deepEqual(marksToMeasure(left, 'b.tif'), MARKS);
+  // Nothing to keep changes nothing; what the block takes is begun no more, and neither is what was cleared.
+  assert.equal(withBegun(given, ['a.tif'], []), given);
+  assert.deepEqual(withMarks(left, [tableOfMarks('a.tif', MARKS)]).begun, []);
+  assert.deepEqual(withBegun(left, ['a.tif'], []).begun, []);
+  // As the storage has it, also where numbers that are none are written as null.
+  const { placingFrom, keptPlacing } = page.keep_placing;
+  const kept = keptPlacing(null, { kind: 'level', height: 0 }, left, null, null);
+  for (const there of [kept, JSON.parse(JSON.stringify(kept))]) assert.deepEqual(placingFrom(there, new Map(), { placing: {} }).film.begun, begun);
 });
 
 test('what is to be done with scans without marks is said', () => {

@@ -81,6 +81,18 @@ test('marks of scans are measured two by two, used in the block, and frames are 
   await measure(page, 'left', 0, [0, 1, 2, 3]);
   await says(page, 'of-scans', /film_0\.png: 4 marks have no x and y in mm; type them under Camera/);
   assert.ok(await part(page, 'marks-to-block').isHidden());
+  // They stay with their scan while others are shown, and over a reload.
+  await part(page, 'next-scans').click();
+  await says(page, 'name-left', /^film_2\.png/);
+  await until(page, 'what is begun is kept', async () =>
+    JSON.stringify([...(await partsKept(page, 'block')).values()]).includes('"begun":[{"image":"film_0.png"'),
+  );
+  await page.reload();
+  await part(page, 'next-scans').click();
+  await says(page, 'name-left', /^film_0\.png/);
+  await says(page, 'of-scans', /film_0\.png: 4 marks have no x and y in mm/);
+  assert.doesNotMatch((await part(page, 'status').textContent()) ?? '', /Projects/);
+  await part(page, 'tab-camera').click();
   for (const [index, [x, y]] of MARKS.entries()) {
     const fields = page.locator('[data-testid="fiducials-left"] tbody tr').nth(index).locator('input');
     await fields.nth(2).fill(String(x));

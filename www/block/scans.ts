@@ -1,6 +1,6 @@
 /** Scans of the block in the pair's part of the page, where their fiducial marks are measured. */
 import { parse_camera } from '../../pkg/wasm/tiepoint.js';
-import { wholeMarks, isMeasured, isWhole, placeOfMark, withCoordinatesOf } from '../pair/state/marks';
+import { isMeasured, isWhole, placeOfMark, withCoordinatesOf } from '../pair/state/marks';
 import { isCurrent } from '../pair/state/keys';
 import { otherSide, SIDES } from '../pair/state/state';
 import type { Side, State } from '../pair/state/state';
@@ -12,9 +12,9 @@ import type { BlockStore } from './engine/engine';
 import { isAsGiven, masksOf, showFiles } from './pair';
 import type { Pair, Projects } from './pair';
 import type { ScansBeside } from './panel/scans-line';
-import { scansOf } from './state/film';
+import { scansOf, withBegun } from './state/film';
 import { otherMasks } from './state/masks';
-import { isInBlock, marksToMeasure } from './state/scan-marks';
+import { begunIn, isInBlock, marksToMeasure } from './state/scan-marks';
 import type { MeasuredScan } from './state/scan-marks';
 import type { BlockFile } from './state/state';
 
@@ -45,22 +45,29 @@ function scanOn({ state: { placing, files } }: BlockStore, state: State, side: S
   if (scan === undefined || image?.source.kind !== 'file' || image.source.file.size !== scan.file.size) return null;
   const photo = state.photos[side];
   // The table of a scan has positions in its own file, which may be a part of what was measured.
-  const marks = wholeMarks(photo).map((mark) => {
+  const all = photo.fiducials.map((mark) => {
     const [col, row] = placeOfMark(photo, mark) ?? [NaN, NaN];
     return { ...mark, col, row };
   });
   const stage = side === 'left' ? 'openLeft' : 'openRight';
   const info = isCurrent(state, stage) ? state.results[stage]?.value.info : undefined;
-  const withoutMm = photo.fiducials.filter((mark) => isMeasured(mark) && !isWhole(mark)).length;
-  return { image: scan.name, marks, withoutMm, size: info === undefined ? null : [info.width, info.height] };
+  const withoutMm = all.filter((mark) => isMeasured(mark) && !isWhole(mark)).length;
+  return { image: scan.name, all, marks: all.filter(isWhole), withoutMm, size: info === undefined ? null : [info.width, info.height] };
 }
 
-/** Opens scans, one or two, with the marks that the block has of them, and begins to measure those of the first one. */
+/** Opens scans, one or two, with the marks that were begun or that the block has of them, and begins to measure those of the first one. */
 function openScans(block: BlockStore, modes: Modes, pair: MarkedPair, { putAside, stays }: Projects, given: readonly BlockFile[]): Promise<void> {
   return doHere(stays, async (here) => {
     const [left, right] = given;
     if (left === undefined) return;
-    const { film } = block.state.placing;
+    // Marks stay with their scan.
+    const shown = SIDES.flatMap((side) => scanOn(block, pair.store.state, side) ?? []);
+    const film = withBegun(
+      block.state.placing.film,
+      shown.map(({ image }) => image),
+      begunIn(block.state.placing.film, shown),
+    );
+    if (film !== block.state.placing.film) block.dispatch({ type: 'film', film });
     // What the block has is not kept once more.
     if (hasNothingElse(block, pair.store.state)) isAsGiven(pair.store.state);
     const scans = { left, right: right ?? null };
@@ -81,13 +88,13 @@ function openScans(block: BlockStore, modes: Modes, pair: MarkedPair, { putAside
   });
 }
 
-/** Whether the pair shows scans of the block, and all that was measured and masked in them is in the block. */
+/** Whether the pair shows scans of the block, and all that was measured and masked in them is in the block, or begun there. */
 function hasNothingElse(block: BlockStore, state: State): boolean {
   const { placing, options } = block.state;
   const isThere = (side: Side) => {
     if (state.images[side] === null) return true;
     const scan = scanOn(block, state, side);
-    return scan !== null && isInBlock(placing.film, scan);
+    return scan !== null && (isInBlock(placing.film, scan) || placing.film.begun.some(({ image }) => image === scan.image));
   };
   const hasMasks = SIDES.every((side) => state.masks[side] === null || state.masks[side].source.kind === 'file');
   return SIDES.every(isThere) && hasMasks && otherMasks(options.masks, masksOf(state)).length === 0;

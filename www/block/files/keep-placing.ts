@@ -1,10 +1,10 @@
 /** Keeps what was given to place images on an orthophoto and what came of it, and reads it again. */
-import type { Georeference, OrthophotoInfo } from '../../../pkg/wasm/tiepoint.js';
+import type { Fiducial, Georeference, OrthophotoInfo } from '../../../pkg/wasm/tiepoint.js';
 import { fitted, likeOf, listOf, nameOf, objectOf, orNull } from '../../shared/files/keepable';
 import type { KeptFile, KeptPlacing, KeptRaster } from '../state/kept';
 import type { TextFile } from '../state/file';
 import { NO_FILM } from '../state/film';
-import type { GivenFilm } from '../state/film';
+import type { BegunScan, GivenFilm } from '../state/film';
 import { NO_PLACING } from '../state/placing';
 import type { GivenHeights, GivenOrthophoto, InDegrees, Placed, Placing, Purpose, RasterFile } from '../state/placing';
 import type { BlockCatalogue, BlockFile } from '../state/state';
@@ -88,13 +88,26 @@ export function placingFrom(
 /** Projects of earlier versions have none. */
 function filmFrom(given: unknown): GivenFilm {
   if (given === undefined) return NO_FILM;
-  const { camera, marks, areScans } = objectOf(given, 'placing.film');
+  const { camera, marks, areScans, begun = [] } = objectOf(given, 'placing.film');
   return {
     camera: orNull(camera, (text) => textFrom(text, 'placing.film.camera')),
     marks: listOf(marks, 'placing.film.marks', textFrom),
-    // Earlier releases kept none.
+    // Earlier releases kept none of these.
     areScans: areScans === true,
+    begun: listOf(begun, 'placing.film.begun', begunFrom),
   };
+}
+
+function begunFrom(given: unknown, name: string): BegunScan {
+  const { image, marks } = objectOf(given, name);
+  return { image: likeOf(image, '', `${name}.image`), marks: listOf(marks, `${name}.marks`, markFrom) };
+}
+
+function markFrom(given: unknown, name: string): Fiducial {
+  const mark = objectOf(given, name);
+  // What is not known is null where numbers are written as JSON.
+  const number = (value: unknown) => (typeof value === 'number' ? value : NaN);
+  return { col: number(mark.col), row: number(mark.row), x_mm: number(mark.x_mm), y_mm: number(mark.y_mm) };
 }
 
 function textFrom(given: unknown, name: string): TextFile {

@@ -1,4 +1,5 @@
 /** Scanned film among the images that are placed on an orthophoto: its camera, and the fiducial marks of each scan. */
+import type { Fiducial } from '../../../pkg/wasm/tiepoint.js';
 import type { TextFile } from './file';
 
 export interface GivenFilm {
@@ -8,9 +9,17 @@ export interface GivenFilm {
   marks: readonly TextFile[];
   /** The user measures marks: all images are scans, whether anything is given of them or not. */
   areScans: boolean;
+  /** What is measured in scans and not used yet, while others are shown. */
+  begun: readonly BegunScan[];
 }
 
-export const NO_FILM: GivenFilm = { camera: null, marks: [], areScans: false };
+/** Marks of a scan as far as they are measured; NaN stands for what is not known. */
+export interface BegunScan {
+  image: string;
+  marks: readonly Fiducial[];
+}
+
+export const NO_FILM: GivenFilm = { camera: null, marks: [], areScans: false, begun: [] };
 
 /** What a scan is placed by beside its pixels, as its files have it. */
 export interface FilmTexts {
@@ -60,7 +69,14 @@ export function awaitsFrames(film: GivenFilm, images: readonly { name: string }[
 /** With these marks in place of those of the same scans. */
 export function withMarks(film: GivenFilm, marks: readonly TextFile[]): GivenFilm {
   const byStem = new Map([...film.marks, ...marks].map((own) => [stemOf(own.name), own]));
-  return { ...film, marks: [...byStem.values()] };
+  const given = new Set(marks.map(({ name }) => stemOf(name)));
+  return { ...film, marks: [...byStem.values()], begun: film.begun.filter(({ image }) => !given.has(stemOf(image))) };
+}
+
+/** With what is begun of scans in place of what was begun of them before. */
+export function withBegun(film: GivenFilm, shown: readonly string[], begun: readonly BegunScan[]): GivenFilm {
+  const others = film.begun.filter(({ image }) => !shown.includes(image));
+  return begun.length === 0 && others.length === film.begun.length ? film : { ...film, begun: [...others, ...begun] };
 }
 
 /** The names of marks that are of no image. */

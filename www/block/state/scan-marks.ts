@@ -6,13 +6,16 @@ import { messageOf } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
 import type { TextFile } from './file';
 import { filmOf, scansOf } from './film';
-import type { GivenFilm } from './film';
+import type { BegunScan, GivenFilm } from './film';
+import { poorMarks } from './poor-marks';
 
 /** A scan in the pair's part of the page. */
 export interface MeasuredScan {
   /** Its name. */
   image: string;
-  /** The marks that are measured and have photo coordinates, in px of the image. */
+  /** All marks, in px of the image; NaN stands for what is not known. */
+  all: readonly Fiducial[];
+  /** Those of them that are measured and have photo coordinates. */
   marks: readonly Fiducial[];
   /** How many are measured and have no photo coordinates. */
   withoutMm: number;
@@ -37,8 +40,15 @@ export function marksOfScan(film: GivenFilm, image: string): Fiducial[] {
   return own === null ? [] : parse_fiducials(own.marks);
 }
 
-/** The marks with which measuring a scan begins: those that the block has, else those of the scan that has most, of which the positions are to be measured. */
+/** What is measured in scans that the block has not, to go on with when they are shown again. */
+export function begunIn(film: GivenFilm, scans: readonly MeasuredScan[]): BegunScan[] {
+  return scans.filter((scan) => !isInBlock(film, scan)).map(({ image, all }) => ({ image, marks: all }));
+}
+
+/** The marks with which measuring a scan begins: those that were begun, or that the block has, else those of the scan that has most, of which the positions are to be measured. */
 export function marksToMeasure(film: GivenFilm, image: string): Fiducial[] {
+  const begun = film.begun.find((scan) => scan.image === image);
+  if (begun !== undefined) return [...begun.marks];
   const own = marksOfScan(film, image);
   if (own.length > 0) return own;
   const most = film.marks.map(({ text }) => parse_fiducials(text)).reduce<Fiducial[]>((best, marks) => (marks.length > best.length ? marks : best), []);
@@ -79,13 +89,15 @@ export function tablesToTake(film: GivenFilm, scans: readonly MeasuredScan[]): T
   });
 }
 
-/** What the marks of scans lack, for which the block does not take them, or not all of them; nothing of a scan without any. */
+/** What the marks of scans lack, for which the block does not take them, or not all of them, and which of those that it takes lie far off; nothing of a scan without any. */
 export function lackOf(film: GivenFilm, scans: readonly MeasuredScan[]): string {
   const said = scans.flatMap((scan) => {
-    const { image, marks, withoutMm } = scan;
+    const { image, marks, all, withoutMm } = scan;
     const lone = withoutMm === 0 ? '' : say('marks-without-mm', { name: image, marks: withoutMm });
     const fault = marks.length === 0 ? '' : faultOf(film, scan);
-    return [lone, fault === '' ? '' : `${image}: ${fault}`].filter((text) => text !== '');
+    const poor = marks.length === 0 || fault !== '' ? null : poorMarks(marks);
+    const off = poor === null ? '' : say('marks-far-off', { name: image, px: poor.sigmaPx, worst: poor.worst === null ? 0 : all.indexOf(poor.worst) + 1 });
+    return [lone, fault === '' ? '' : `${image}: ${fault}`, off].filter((text) => text !== '');
   });
   return said.join(' ');
 }

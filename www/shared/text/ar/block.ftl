@@ -383,6 +383,11 @@ use-marks-in-the-block = استعمال العلامات في الكتلة
 the-tables-of-marks-become = تصير العلامات المقيسة جداول علامات هذه المسوح، محل ما لها
 next-scans = المسوح التالية
 next-scans-help = المسح التالي أو المسحان التاليان بلا علامات؛ وحين تكون لها جميعًا علامات، واحدًا بعد الآخر من جديد
+# $worst: the mark that fits worst; 0 where none stands out.
+marks-far-off = { $name }: قيمة σ₀ لعلاماته { FIXED($px, digits: 1) } بكسل من المسح؛ { $worst ->
+        [0] إحداها مقيسة خطأ، أو كُتب x وy لها خطأ: راجع كلًّا منها.
+       *[other] العلامة { COUNT($worst) } أسوؤها ملاءمة: قسها من جديد، أو صحّح x وy لها.
+    }
 marks-without-mm = { $name }: علامات بلا x وy بالمليمتر: { COUNT($marks) }؛ اكتبها تحت «الكاميرا» في الإعدادات.
 reject-matches-in-the-block = رفض { $matches ->
         [one] مطابقة واحدة

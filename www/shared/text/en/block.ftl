@@ -447,6 +447,11 @@ use-marks-in-the-block = Use the marks in the block
 the-tables-of-marks-become = The measured marks become the tables of marks of these scans, in place of those that they have
 next-scans = Next scans
 next-scans-help = The next one or two scans without marks; once all have marks, one after the other again
+# $worst: the mark that fits worst; 0 where none stands out.
+marks-far-off = { $name }: σ₀ of its marks is { FIXED($px, digits: 1) } px of the scan; { $worst ->
+        [0] one of them is measured wrongly, or its x and y are mistyped: look at each again.
+       *[other] mark { COUNT($worst) } fits worst: measure it again, or correct its x and y.
+    }
 marks-without-mm = { $name }: { $marks ->
         [one] 1 mark has
        *[other] { COUNT($marks) } marks have
