@@ -11,6 +11,8 @@ import type { Affine } from '../../state/under';
 const MOST_TILES = 400;
 /** Tiles that are on their way at the same time. */
 const AT_ONCE = 2;
+/** So many device px tiles in cells reach beyond their edges: no more than is not seen, and two of them cover a pixel that they share. */
+const OVER_PX = 0.5;
 
 interface Tile {
   level: number;
@@ -52,15 +54,17 @@ export class OrthophotoTiles {
       const { a, b, c, d, e, f } = lies.cells === null ? toCanvas : after(ofMap, affineOfPart(lies, info, partOf(tile, info)));
       context.save();
       context.transform(a, b, c, d, e, f);
-      this.paintTile(context, tile, coarsest, info);
+      // Each cell lies a little otherwise: their smoothed edges would let the ground through.
+      const over = lies.cells === null ? 0 : OVER_PX / (scaleOf({ a, b, c, d, e, f }) * ratio);
+      this.paintTile(context, tile, coarsest, info, over);
       context.restore();
     }
     context.restore();
     this.ask(missing, seen);
   }
 
-  /** A tile, or in its place the part of the finest coarser one that is there. */
-  private paintTile(context: CanvasRenderingContext2D, { level, column, row }: Tile, coarsest: number, { width, height }: Size): void {
+  /** A tile, or in its place the part of the finest coarser one that is there; stretched by `over` px of the picture beyond each edge. */
+  private paintTile(context: CanvasRenderingContext2D, { level, column, row }: Tile, coarsest: number, { width, height }: Size, over: number): void {
     const side = TILE_SIDE * 2 ** level;
     const [x, y] = [column * side, row * side];
     for (let up = 0; level + up <= coarsest; up++) {
@@ -73,7 +77,7 @@ export class OrthophotoTiles {
       const [left, top] = [(x / step) % TILE_SIDE, (y / step) % TILE_SIDE];
       const across = Math.min(TILE_SIDE / 2 ** up, bitmap.width - left, Math.ceil((width - x) / step));
       const down = Math.min(TILE_SIDE / 2 ** up, bitmap.height - top, Math.ceil((height - y) / step));
-      context.drawImage(bitmap, left, top, across, down, x, y, across * step, down * step);
+      context.drawImage(bitmap, left, top, across, down, x - over, y - over, across * step + 2 * over, down * step + 2 * over);
       return;
     }
   }
