@@ -5,6 +5,7 @@ import { MOVES } from '../view/gestures';
 import { button, fill, h } from './dom';
 import { actions } from './offers';
 import type { Action } from './offers';
+import { folded } from '../text/folded';
 import { say } from '../text/words';
 
 /** What makes views and parts that are made late, each once. */
@@ -124,10 +125,10 @@ class Search {
   }
 
   private narrow(): void {
-    const words = this.input.value.toLowerCase().split(/\s+/u);
-    const text = ({ name, more }: Action) => `${name} ${more}`.toLowerCase();
+    const words = folded(this.input.value).split(/\s+/u);
+    const text = ({ name, more }: Action) => folded(`${name} ${more}`);
     // What is named by the words comes before what is explained by them.
-    const rank = ({ name, disabled }: Action) => (words.every((word) => name.toLowerCase().includes(word)) ? 0 : 1) + (disabled === true ? 2 : 0);
+    const rank = ({ name, disabled }: Action) => (words.every((word) => folded(name).includes(word)) ? 0 : 1) + (disabled === true ? 2 : 0);
     this.found = this.all.filter((action) => words.every((word) => text(action).includes(word))).sort((a, b) => rank(a) - rank(b));
     const rows = this.found.map(({ name, more, keys, disabled = false }, place) => {
       const row = h(

@@ -49,9 +49,9 @@ function offer(element: Element, texts: readonly string[], made: Pick<Action, 'n
   return { ...made, disabled, away: ways.length, more: [...new Set(more)].filter((text) => text !== '').join(' · ') };
 }
 
-/** Whether a button is one that the search names: not one of a dialog, nor of a row, nor of a setting. */
+/** Whether a button is one that the search names: not one of a dialog, nor of a row, nor one that sets a setting back or explains it. */
 const isNamed = (button: HTMLButtonElement) =>
-  button.closest('dialog, table, .control, .history, .facts') === null &&
+  button.closest('dialog, table, .control-head, .history, .facts') === null &&
   !button.matches(UNNAMED) &&
   // The tools of a picture are there even while they are hidden: they wait for something to work on.
   (reachable(button) || button.closest('[role="toolbar"]') !== null);

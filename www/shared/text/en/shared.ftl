@@ -304,7 +304,7 @@ theme-auto = Theme: auto
 theme-light = Theme: light
 theme-dark = Theme: dark
 theme = Theme
-language-of-the-page = Language of the page
+language-of-the-page = Language of the page: English or Arabic
 light-dark-or-as-the = Light, dark, or as the system has it
 
 ## panel/zoom
