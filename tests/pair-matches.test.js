@@ -15,7 +15,7 @@ before(async () => {
 
 /**
  * What a block of these points makes of the matches of its images 3 (left) and 1 (right).
- * @param {Point[]} points @param {{ rejected?: number[][], used?: number[][], measured?: { at: number[], of: number[] | null }[] }} matches
+ * @param {Point[]} points @param {{ rejected?: number[][], used?: number[][], measured?: { at: number[], of: number[] | null, had?: number[][] }[] }} matches
  */
 function made(points, { rejected = [], used = [], measured = [] }) {
   const view = { points: { sources: Float64Array.from(points, ({ source }) => page.edits.codeOfSource(source)) } };
@@ -29,7 +29,8 @@ function made(points, { rejected = [], used = [], measured = [] }) {
       parts: Uint8Array.from(rows, (index) => points[index]?.parts?.[side] ?? 0),
     };
   };
-  const given = { rejected, used: Float64Array.from(used.flatMap((place) => [...place, 0.3])), measured };
+  const placed = measured.map((one) => ({ had: [one.at], ...one }));
+  const given = { rejected, used: Float64Array.from(used.flatMap((place) => [...place, 0.3])), measured: placed };
   return page.pair_matches.forBlock(view, 3, 1, shownBy(0), shownBy(1), given);
 }
 
@@ -115,11 +116,50 @@ test('measured matches become tie points by hand, moved ones move their tie poin
     },
   ]);
   assert.deepEqual([measured, rejection], [3, []]);
-  // However little one was moved.
+  // However little one was moved; where only one end was, it alone.
   const little = { at: [200.2, 80.9, 170.3, 81], of: B.at };
-  assert.equal(made([A, B], { measured: [little] }).addition[1].x_px, 170.3);
+  assert.deepEqual(made([A, B], { measured: [little] }).addition, [{ kind: 'measure', point, image: 1, x_px: 170.3, y_px: 81 }]);
   // In the block they are there, whatever was done to them since.
   const there = [A, { ...B, at: moved.at }, { source: { manual: 0 }, at, parts: /** @type {[number, number]} */ ([2, 2]) }];
   const again = made(there, { measured: [{ at, of: null }, moved] });
   assert.deepEqual([again.addition, again.measured], [[], 0]);
+});
+
+test('a match that was moved after the block took it moves its tie point, however far, and is no second one', () => {
+  const point = { manual: 0 };
+  const [first, taken] = [
+    [20, 30, 5, 31],
+    [20, 30, 6, 31],
+  ];
+  const own = { source: point, at: taken };
+  const moveTo = (/** @type {number[]} */ at, points = [A, own], had = [first, taken, at]) => made(points, { measured: [{ at, of: null, had }] }).addition;
+  for (const x of [6.8, 66]) {
+    const right = [{ kind: 'measure', point, image: 1, x_px: x, y_px: 31 }];
+    assert.deepEqual(moveTo([20, 30, x, 31]), right);
+    // The step that held its place is gone: the left place names it.
+    assert.deepEqual(moveTo([20, 30, x, 31], [A, own], [first, [20, 30, x, 31]]), right);
+    // As a gross error it is mended by this; what was rejected by hand is left alone.
+    assert.deepEqual(moveTo([20, 30, x, 31], [A, { ...own, parts: [1, 1] }]), right);
+    assert.ok(moveTo([20, 30, x, 31], [A, { ...own, parts: [2, 2] }]).every(({ kind }) => kind === 'add_point'));
+  }
+  assert.deepEqual(
+    moveTo([50, 60, 6, 31]).map(({ kind, image }) => [kind, image]),
+    [['measure', 3]],
+  );
+  // One that was found, moved and taken, and moved again.
+  const [once, twice] = [
+    [200.2, 80.9, 190, 81],
+    [200.2, 80.9, 175, 81],
+  ];
+  const again = made([A, { ...B, at: once }], { measured: [{ at: twice, of: B.at, had: [once, twice] }] });
+  assert.deepEqual(again.addition, [{ kind: 'measure', point: B.source, image: 1, x_px: 175, y_px: 81 }]);
+  // The point of one match is not that of another one at its place.
+  const two = [
+    { at: taken, of: null },
+    { at: [20, 30, 40, 31], of: null },
+  ];
+  assert.deepEqual(
+    made([A, own], { measured: two }).addition.map((/** @type {any} */ { kind }) => kind),
+    ['add_point'],
+  );
 });

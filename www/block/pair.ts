@@ -9,7 +9,7 @@ import { hasData, isWorthKeeping } from '../pair/state/kept';
 import { BY_HAND } from '../pair/state/codes';
 import { placeOfLeft, targetOfLeft } from '../pair/state/edited';
 import type { Edited } from '../pair/state/edited';
-import { isNothing, standingOf } from '../pair/state/edits';
+import { isNothing, placesByHand, standingOf } from '../pair/state/edits';
 import type { Standing } from '../pair/state/edits';
 import { shownPair } from '../pair/state/select';
 import { SIDES } from '../pair/state/state';
@@ -182,10 +182,10 @@ export function matchesOf(state: State): PairMatches | null {
   const standing = standingOf(state.history.edits, state.history.done);
   if (isNothing(standing)) return null;
   const { edited } = shownPair(state);
-  return edited === null ? null : byHandOf(edited, standing);
+  return edited === null ? null : byHandOf(edited, standing, placesByHand(state.history.edits));
 }
 
-const byHandOf = remember((edited: Edited, standing: Standing): PairMatches => {
+const byHandOf = remember((edited: Edited, standing: Standing, places: ReadonlyMap<string, readonly MatchPlace[]>): PairMatches => {
   const rejected: MatchPlace[] = [];
   edited.match.rules.forEach((rule, left) => {
     if (rule !== BY_HAND) return;
@@ -197,7 +197,7 @@ const byHandOf = remember((edited: Edited, standing: Standing): PairMatches => {
   return {
     rejected,
     used: edited.match.matches,
-    measured: measured.map(([, { target, at }]) => ({ at, of: typeof target === 'number' ? null : target })),
+    measured: measured.map(([key, { target, at }]) => ({ at, of: typeof target === 'number' ? null : target, had: places.get(key) ?? [] })),
   };
 });
 

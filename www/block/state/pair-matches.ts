@@ -15,8 +15,16 @@ export interface PairMatches {
   rejected: readonly MatchPlace[];
   /** Those in use, stride 5: the four coordinates and the measure. */
   used: Float64Array;
-  /** Those that were measured by hand; `of`: where the matching had found one that was moved. */
-  measured: readonly { at: MatchPlace; of: MatchPlace | null }[];
+  measured: readonly MeasuredMatch[];
+}
+
+/** A match that was measured by hand. */
+export interface MeasuredMatch {
+  at: MatchPlace;
+  /** Where the matching had found one that was moved. */
+  of: MatchPlace | null;
+  /** All places that it was given by hand, in their order: at one of them the block may have taken it. */
+  had: readonly MatchPlace[];
 }
 
 /** What of it the block has not yet. */
@@ -48,7 +56,12 @@ interface Shared {
   at: MatchPlace;
   /** Whether both observations take part. */
   isUsed: boolean;
+  /** Whether one of them was rejected by hand. */
+  isRejected: boolean;
 }
+
+/** The part of an observation that was rejected by hand. */
+const REJECTED = 2;
 
 type Cells = ReadonlyMap<string, readonly Shared[]>;
 
@@ -64,7 +77,9 @@ const sharedPoints = remember((view: BlockView, left: ImagePoints, right: ImageP
     const [x = NaN, y = NaN] = left.places.subarray(2 * row, 2 * row + 2);
     const [xr = NaN, yr = NaN] = right.places.subarray(2 * other, 2 * other + 2);
     const key = cellOf(x, y).join(' ');
-    cells.set(key, [...(cells.get(key) ?? []), { source, at: [x, y, xr, yr], isUsed: left.parts[row] === 0 && right.parts[other] === 0 }]);
+    const parts = [left.parts[row], right.parts[other]];
+    const shared = { source, at: [x, y, xr, yr], isUsed: parts.every((part) => part === 0), isRejected: parts.includes(REJECTED) } as const;
+    cells.set(key, [...(cells.get(key) ?? []), shared]);
   });
   return cells;
 });
@@ -76,12 +91,20 @@ function apart([xl, yl, xr, yr]: MatchPlace, { at }: Shared): number {
 
 const AROUND = [-1, 0, 1].flatMap((dy) => [-1, 0, 1].map((dx) => [dx, dy] as const));
 
+/** The tie points that the left image shows about a place. */
+function pointsAbout(cells: Cells, [x, y]: MatchPlace): Shared[] {
+  const [column, row] = cellOf(x, y);
+  return AROUND.flatMap(([dx, dy]) => cells.get(`${String(column + dx)} ${String(row + dy)}`) ?? []);
+}
+
 /** The tie points to which a match may belong, the nearest one first. */
 function pointsAt(cells: Cells, place: MatchPlace): Shared[] {
-  const [column, row] = cellOf(place[0], place[1]);
-  const near = AROUND.flatMap(([dx, dy]) => cells.get(`${String(column + dx)} ${String(row + dy)}`) ?? []);
+  const near = pointsAbout(cells, place);
   return near.filter((point) => apart(place, point) <= SAME_PLACE_PX).sort((a, b) => apart(place, a) - apart(place, b));
 }
+
+/** The tie points that were measured where a match is. */
+const measuredAt = (cells: Cells, place: MatchPlace) => pointsAt(cells, place).filter((point) => apart(place, point) <= SAME_MEASUREMENT_PX);
 
 /** The tie points in use whose nearest match was rejected: where one that stays is nearer, that is the point's. */
 function pointsOfRejected(cells: Cells, { rejected, used }: PairMatches): ReadonlySet<Shared> {
@@ -96,17 +119,33 @@ function pointsOfRejected(cells: Cells, { rejected, used }: PairMatches): Readon
   return new Set(nearest.keys());
 }
 
+/**
+ * The tie point that a match moves from where it was found, or from where the block took it, latest first. The left place alone names it where only the right one was
+ * moved and the step that held its place is gone: of points by hand, since more than one found point may lie at a place.
+ */
+function movedPoint(cells: Cells, { of, had }: MeasuredMatch, isFree: (point: Shared) => boolean): Shared | undefined {
+  const former = [...had].reverse();
+  const isAtLeft = ({ source, at }: Shared, [x, y]: MatchPlace) => 'manual' in source && Math.hypot(x - at[0], y - at[1]) <= SAME_MEASUREMENT_PX;
+  const taken = [
+    ...former.flatMap((place) => measuredAt(cells, place)),
+    ...former.flatMap((place) => pointsAbout(cells, place).filter((point) => isAtLeft(point, place))),
+  ];
+  return taken.find((point) => !point.isRejected && isFree(point)) ?? (of === null ? undefined : pointsAt(cells, of).find(({ isUsed }) => isUsed));
+}
+
 /** The edits for one match that was measured: the observations of its tie point are moved where it has one, else it is a new point. None where the block has it. */
-function additionOf(cells: Cells, a: number, b: number, { at, of }: PairMatches['measured'][number]): BlockEdit[] {
-  const there = pointsAt(cells, at);
-  if (there.some((point) => apart(at, point) <= SAME_MEASUREMENT_PX)) return [];
+function additionOf(cells: Cells, a: number, b: number, match: MeasuredMatch, isFree: (point: Shared) => boolean): BlockEdit[] {
+  const { at } = match;
+  if (measuredAt(cells, at).length > 0) return [];
   const places = [
     { image: a, x_px: at[0], y_px: at[1] },
     { image: b, x_px: at[2], y_px: at[3] },
   ];
-  const moved = of === null ? undefined : pointsAt(cells, of).find(({ isUsed }) => isUsed);
-  if (moved !== undefined) return places.map((place): BlockEdit => ({ kind: 'measure', point: moved.source, ...place }));
-  return there.length > 0 ? [] : [{ kind: 'add_point', observations: places }];
+  const moved = movedPoint(cells, match, isFree);
+  if (moved === undefined) return pointsAt(cells, at).length > 0 ? [] : [{ kind: 'add_point', observations: places }];
+  const isElsewhere = ({ x_px, y_px }: (typeof places)[number], end: number) =>
+    Math.hypot(x_px - (moved.at[2 * end] ?? NaN), y_px - (moved.at[2 * end + 1] ?? NaN)) > SAME_MEASUREMENT_PX;
+  return places.filter(isElsewhere).map((place): BlockEdit => ({ kind: 'measure', point: moved.source, ...place }));
 }
 
 /**
@@ -126,7 +165,9 @@ export const forBlock = remember((view: BlockView, a: number, b: number, left: I
     if (points.some((point) => refused.has(point))) joined += 1;
     else if (points.every(({ isUsed }) => isUsed)) without += 1;
   }
-  const added = matches.measured.map((one) => additionOf(cells, a, b, one)).filter((edits) => edits.length > 0);
+  // Points of matches that the block has are those of no others.
+  const had = new Set(matches.measured.flatMap(({ at }) => measuredAt(cells, at)));
+  const added = matches.measured.map((one) => additionOf(cells, a, b, one, (point) => !had.has(point))).filter((edits) => edits.length > 0);
   return {
     rejection: observations.length === 0 ? [] : [{ kind: 'reject_observations', observations }],
     matches: joined,

@@ -1,6 +1,7 @@
 /** Edits of the matches by hand: records of what was done to which match, and what stands after some of them. */
 import { NO_HISTORY } from '../../shared/state/history';
 import type { History } from '../../shared/state/history';
+import { remember } from '../../shared/state/remember';
 import { say } from '../../shared/text/words';
 
 /** Where a match lies: x and y in the left, x and y in the right image, px. */
@@ -69,6 +70,18 @@ function after(edits: readonly Edit[]): Standing {
   }
   return rejected.size === 0 && placed.size === 0 ? NOTHING : { rejected, placed };
 }
+
+/** All places that matches were given by hand, in their order, by the keys of their targets; undone ones too. */
+export const placesByHand = remember((edits: readonly Edit[]): ReadonlyMap<string, readonly Place[]> => {
+  const places = new Map<string, Place[]>();
+  for (const edit of edits) {
+    if (edit.kind !== 'add' && edit.kind !== 'move') continue;
+    const [target, place] = edit.kind === 'add' ? [edit.id, edit.at] : [edit.of, edit.to];
+    const key = keyOfTarget(target);
+    places.set(key, [...(places.get(key) ?? []), place]);
+  }
+  return places;
+});
 
 export function isNothing({ rejected, placed }: Standing): boolean {
   return rejected.size === 0 && placed.size === 0;
