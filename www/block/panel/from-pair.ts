@@ -32,6 +32,8 @@ export interface FromPair {
 interface Given {
   step: EditStep;
   to: BlockView | null;
+  /** Those that it was made of: once others are done or undone in the pair, what it did is no news. */
+  of: PairMatches | null;
 }
 
 const NOTHING: ForBlock = { rejection: [], matches: 0, without: 0, addition: [], measured: 0 };
@@ -41,7 +43,7 @@ export function makeFromPair(store: BlockStore, facts: Facts, pair: MatchesBesid
   const give = (step: EditStep) => {
     // What is placed of a point that is being measured in the block is no less wanted for this.
     if (store.state.draft !== null) store.dispatch({ type: 'accept', leaves: true });
-    given = { step, to: store.state.shown?.found ?? null };
+    given = { step, to: store.state.shown?.found ?? null, of: pair.matches() };
     store.dispatch({ type: 'edit', edits: step });
   };
   const now = () => ofPair(store, facts, pair);
@@ -56,7 +58,8 @@ export function makeFromPair(store: BlockStore, facts: Facts, pair: MatchesBesid
     reject.disabled = add.disabled = isBusy(store.state);
     const rejected = isOfBlock ? (pair.matches()?.rejected.length ?? 0) : 0;
     const lacking = without === 0 ? '' : say('rejected-without-tie-point', { without, rejected });
-    return [isOfBlock ? saidOf(store.state, given) : '', lacking].filter((part) => part !== '').join(' ');
+    const isNews = isOfBlock && given?.of === pair.matches();
+    return [isNews ? saidOf(store.state, given) : '', lacking].filter((part) => part !== '').join(' ');
   };
   return { buttons: [reject, add], draw };
 }
