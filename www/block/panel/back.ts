@@ -53,8 +53,8 @@ export function mountBack(store: BlockStore, facts: Facts, modes: Modes, pair: P
     open.hidden = offered === null;
     masks.hidden = offered !== null || othersOf(store, pair).length === 0;
     open.disabled = masks.disabled = isBusy(store.state);
-    // What was pressed is gone once it is done.
-    if (line.contains(held)) passFocus(held, [...matches.buttons, masks, back]);
+    // What was pressed is gone once it is done. Another press is to do nothing else to the block.
+    if (line.contains(held)) passFocus(held, [back]);
   };
   store.watch(['opened', 'shown', 'files', 'options', 'running', 'notice', 'placing', 'history', 'adjusting'], draw);
   modes.watch(['mode'], draw);
@@ -64,7 +64,7 @@ export function mountBack(store: BlockStore, facts: Facts, modes: Modes, pair: P
   return line;
 }
 
-/** What is masked in the pair of the block that is shown, and not in the block. */
+/** What is masked otherwise in the pair of the block that is shown than in the block. */
 function othersOf({ state: { opened, options } }: BlockStore, pair: PairBeside): readonly PairMask[] {
   return opened === null ? [] : otherMasks(options.masks, pair.masks());
 }
