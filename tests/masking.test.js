@@ -111,10 +111,12 @@ const named = (/** @type {any} */ { state }) => state.maskSteps.edits.map((/** @
 test('a mask is what its steps make of what was there before them; all steps are undone and done again', async () => {
   const { store, masking, draw, pixels } = painted();
   const masks = [pixels('left')];
+  const files = [];
   for (let i = 0; i < 40; i++) {
     draw((7 * i) % 15, i % 5);
     await masking.paint(i % 3 !== 2);
     masks.push(pixels('left'));
+    files.push(store.state.masks.left.source.file);
   }
   assert.equal(store.state.maskSteps.done, 40);
   for (let done = 39; done >= 0; done--) {
@@ -122,9 +124,11 @@ test('a mask is what its steps make of what was there before them; all steps are
     assert.deepEqual(pixels('left'), masks[done]);
   }
   assert.equal(store.state.masks.left, null);
-  for (const mask of masks.slice(1)) {
+  for (const [i, mask] of masks.slice(1).entries()) {
     await masking.step(1);
     assert.deepEqual(pixels('left'), mask);
+    // Who has taken its file knows it again.
+    assert.equal(store.state.masks.left.source.file, files[i]);
   }
   await masking.step(1);
   assert.deepEqual(pixels('left'), masks[40]);

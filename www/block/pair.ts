@@ -169,11 +169,13 @@ async function maskFor(engine: Engine, { state }: BlockStore, image: BlockFile):
   return { ...read, id: nextId--, name: mask.name, source: { kind: 'file', file: mask.file } };
 }
 
-/** The masks of the images of a pair, as far as they are files. */
-export function masksOf({ images, masks }: State): PairMask[] {
-  return SIDES.flatMap((side) => {
-    const [image, source] = [images[side], masks[side]?.source];
-    return image === null || source?.kind !== 'file' ? [] : [{ image: image.name, file: source.file }];
+/** The masks of the images of a pair, as far as they are files, and which ones were undone or removed. */
+export function masksOf({ images, masks, maskSteps }: State): PairMask[] {
+  return SIDES.flatMap((side): PairMask[] => {
+    const [image, mask] = [images[side], masks[side]];
+    if (image === null) return [];
+    if (mask === null) return maskSteps.edits.some((step) => step.side === side) ? [{ image: image.name, file: null }] : [];
+    return mask.source.kind === 'file' ? [{ image: image.name, file: mask.source.file }] : [];
   });
 }
 

@@ -122,10 +122,14 @@ export class BesideFiles {
     if (problem !== undefined) this.telling.tell('problem', say('the-block-cannot-be-run-with', { problem: sentence(problem) }));
   }
 
-  /** Takes the masks of a pair of the block, in place of those of the same images. */
+  /** Takes the masks of a pair of the block, in place of those of the same images; where the pair has none any more, neither has the block. */
   takePairMasks(masks: readonly PairMask[]): void {
     this.store.dispatch({ type: 'options', options: { masks: withMasks(this.store.state.options.masks, masks, newId) } });
-    this.telling.tellTaken(say('masks-are-of-the-block', { names: masks.map(({ image }) => image).join(', ') }));
+    const said = (['masks-are-of-the-block', 'block-has-no-mask-of'] as const).map((text) => {
+      const names = masks.filter(({ file }) => (file === null) === (text === 'block-has-no-mask-of')).map(({ image }) => image);
+      return names.length === 0 ? '' : say(text, { names: names.join(', ') });
+    });
+    this.telling.tellTaken(said.filter((part) => part !== '').join(' '));
   }
 
   /** Takes the geoid from which heights count, in place of the one that is there. */

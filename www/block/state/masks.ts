@@ -1,11 +1,12 @@
 /** Masks between a block and the pairs of it: each opens with those of its images, and what is painted there can be that of the block. */
 import { masks_of_images } from '../../shared/crate';
 import type { BlockFile } from './file';
+import { isLacking } from './lacking';
 
-/** A mask of an image of the block, as the pair has it. */
+/** A mask of an image of the block, as the pair has it; null where it was taken away. */
 export interface PairMask {
   image: string;
-  file: Blob;
+  file: Blob | null;
 }
 
 /** The mask of an image, by its name; null for one without. */
@@ -17,13 +18,17 @@ export function maskOf(masks: readonly BlockFile[], image: string): BlockFile | 
   return masks[index] ?? null;
 }
 
-/** Those of a pair that the block has not. */
+/** What a pair has other than the block. One that a project file names and does not hold the pair never had. */
 export function otherMasks(masks: readonly BlockFile[], ofPair: readonly PairMask[]): readonly PairMask[] {
-  return ofPair.filter(({ image, file }) => maskOf(masks, image)?.file !== file);
+  return ofPair.filter(({ image, file }) => {
+    const own = maskOf(masks, image);
+    return file === null ? own !== null && !isLacking(own) : own?.file !== file;
+  });
 }
 
 /** The masks of a block with these in the place of those of the same images. `newId`: for each of them. */
 export function withMasks(masks: readonly BlockFile[], others: readonly PairMask[], newId: () => number): BlockFile[] {
   const former = new Set(others.map(({ image }) => maskOf(masks, image)));
-  return [...masks.filter((mask) => !former.has(mask)), ...others.map(({ image, file }) => ({ id: newId(), name: `${image}.png`, file }))];
+  const given = others.flatMap(({ image, file }) => (file === null ? [] : [{ id: newId(), name: `${image}.png`, file }]));
+  return [...masks.filter((mask) => !former.has(mask)), ...given];
 }

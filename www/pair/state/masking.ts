@@ -24,6 +24,8 @@ export class Masking {
   private painting: Promise<void> = Promise.resolve();
   /** How many steps are to be gone next; null where something else is next. */
   private going: { by: number } | null = null;
+  /** The file of the mask that a step left: one that is done again is the same mask. */
+  private readonly sources = new WeakMap<MaskStep, GivenMask['source']>();
 
   constructor(
     private readonly store: Store,
@@ -128,7 +130,12 @@ export class Masking {
     if (more?.length === 0) return present;
     if (then.file === null && then.areas.length === 0) return null;
     const made = more === null ? this.painter(state, side, then.file, then.areas) : this.painter(state, side, present?.grey ?? null, more);
-    return (await made) ?? 'cancelled';
+    const mask = await made;
+    if (mask === null) return 'cancelled';
+    const last = steps.edits.slice(0, steps.done).findLast((step) => step.side === side);
+    const source = (last && this.sources.get(last)) ?? mask.source;
+    if (last !== undefined) this.sources.set(last, source);
+    return { ...mask, source };
   }
 
   private async painted(imageId: number, area: Area): Promise<void> {
@@ -156,7 +163,9 @@ export class Masking {
       this.outlinedAgain(imageId, corners);
       return;
     }
-    this.store.dispatch({ type: 'painted', step: { side: now, ...area }, mask });
+    const step = { side: now, ...area };
+    this.sources.set(step, mask.source);
+    this.store.dispatch({ type: 'painted', step, mask });
     tell('info', say('masks-of-the-image', { name: mask.name, left_out: 100 * mask.leftOut, side: now }));
   }
 

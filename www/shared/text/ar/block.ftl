@@ -378,6 +378,7 @@ back-to-the-block = → العودة إلى الكتلة
 use-masks-in-the-block = استعمال الأقنعة في الكتلة
 what-they-mask-holds-no = ما تحجبه لا يحمل نقاطًا في الكتلة أيضًا، من تشغيلها التالي
 masks-are-of-the-block = أقنعة { $names } هي أقنعة الكتلة الآن.
+block-has-no-mask-of = لم يعد في الكتلة قناع للصور: { $names }.
 marks-of-this-scan = علامات { $name }
 use-marks-in-the-block = استعمال العلامات في الكتلة
 the-tables-of-marks-become = تصير العلامات المقيسة جداول علامات هذه المسوح، محل ما لها

@@ -426,6 +426,7 @@ back-to-the-block = ← Back to the block
 use-masks-in-the-block = Use the masks in the block
 what-they-mask-holds-no = What they mask holds no points in the block either, from its next run on
 masks-are-of-the-block = The masks of { $names } are those of the block now.
+block-has-no-mask-of = The block has no mask of { $names } now.
 reject-matches-in-the-block = Reject { $matches ->
         [one] 1 match
        *[other] { COUNT($matches) } matches
