@@ -49,6 +49,15 @@ test('how long a block took goes on as the sentence: its full stop stands after 
   assert.equal(direction.asClauses(`a${FSI} b${PDI}`, false), `a${FSI} b${PDI}`);
 });
 
+test('a text whose words all stand in parts of their own runs as the language does, within another text too', () => {
+  const part = (/** @type {string} */ text) => `${FSI}${text}${PDI}`;
+  const step = `${part('رفض')} ${part(`${part('452')} مطابقة`)}`;
+  assert.equal(direction.asClauses(`تراجع: ${part(step)}`, true), `تراجع: ${RLI}${step}${PDI}`);
+  // Names and figures alone, and what has letters of its own, tell their direction themselves.
+  for (const text of [part(`${part('a.jpg')} – ${part('b.jpg')}`), part(`a ${part('رفض')}`), part(part('452'))])
+    assert.equal(direction.asClauses(text, true), text);
+});
+
 test('a value and its error are one figure from left to right, with their degree signs', () => {
   const text = `κ ${FSI}−16.21${PDI}° ± ${FSI}0.035${PDI}°؛ ${FSI}904${PDI} ±\u00a0${FSI}46${PDI} بكسل، ${FSI}12${PDI}°`;
   assert.equal(direction.asClauses(text, true), `κ ${LRI}−16.21° ± 0.035°${PDI}؛ ${LRI}904 ±\u00a046${PDI} بكسل، ${FSI}12°${PDI}`);
