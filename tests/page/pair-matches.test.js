@@ -32,7 +32,9 @@ test('matches rejected in a pair are rejected in the block as one step, which is
   await part(page, 'block-run').click();
   await status(page, /^(Oriented|Weak orientation): /);
   await part(page, 'tab-block-pairs').click();
-  await page.locator('[data-testid="block-pairs"] tbody tr:not(.filler)').first().click();
+  const row = page.locator('[data-testid="block-pairs"] tbody tr:not(.filler)').first();
+  await row.click();
+  const listed = await row.textContent();
   await part(page, 'block-open-pair').click();
   await done(page);
   await says(page, 'of-block', /: connected/);
@@ -65,6 +67,14 @@ test('matches rejected in a pair are rejected in the block as one step, which is
   assert.ok(observations % 2 === 0 && observations >= 10 && observations <= 2 * matches, `${observations} of ${matches}`);
   const [before, after] = sigmas(told);
   assert.notEqual(before, after);
+  // The table of the block, which was out of sight meanwhile, is of the block as it is now.
+  await part(page, 'back-to-block').click();
+  const relisted = await row.textContent();
+  await part(page, 'tab-block-images').click();
+  await part(page, 'tab-block-pairs').click();
+  assert.equal(relisted, await row.textContent());
+  assert.notEqual(relisted, listed);
+  await part(page, 'mode-pair').click();
 
   // A match that is measured becomes a tie point.
   await part(page, 'statistics-clear').click();

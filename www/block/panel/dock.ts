@@ -4,7 +4,7 @@ import { h } from '../../shared/panel/dom';
 import { isOpen, watchDrawers } from '../../shared/panel/drawers';
 import { declareLack } from '../../shared/panel/reach';
 import { sidewaysNote, watchSideways } from '../../shared/panel/sideways';
-import { isHidden } from '../../shared/panel/sight';
+import { isHidden, whenInSight } from '../../shared/panel/sight';
 import { tabbed } from '../../shared/panel/tabs';
 import { Table } from '../../shared/panel/table';
 import { keepChoice, keptChoice } from '../../shared/choices';
@@ -201,14 +201,12 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
   });
   watchSideways(sideways, table);
   let shownRows = NO_ROWS;
-  // It is drawn when it comes into sight.
-  const draw = () => {
-    if (isHidden(host)) return;
+  const draw = whenInSight(host, () => {
     const { shown, selection } = store.state;
     shownRows = shown === null ? NO_ROWS : source.rows(shown);
     table.show(shownRows.count, shownRows.columns, shown === null ? undefined : source.keeps(shown, selection), selection.filters[subject]);
     mark();
-  };
+  });
   const mark = () => {
     const { shown, selection } = store.state;
     if (shown !== null) chosen = source.chosen(shown, selection.chosen);
@@ -225,15 +223,14 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
     ([now]) => {
       seeks = now !== null && !isSame(now, own);
       own = null;
-      if (isHidden(host)) return;
-      if (subject === 'observations') draw();
+      if (subject === 'observations' || isHidden(host)) draw();
       else mark();
     },
   );
-  /** Draws it where its rows are others. */
+  /** Draws it where its rows are others; rows out of sight are not asked for. */
   const refresh = () => {
     const { shown } = store.state;
-    if (!isHidden(host) && shown !== null && source.rows(shown) !== shownRows) draw();
+    if (isHidden(host) || (shown !== null && source.rows(shown) !== shownRows)) draw();
   };
   return { draw, refresh };
 }

@@ -12,7 +12,7 @@ import type { LengthUnit } from '../state/orthophoto-unit';
 import type { Looked } from '../state/placing';
 import type { ViewName } from '../state/state';
 import { verdictText } from './placing-words';
-import { isHidden } from '../../shared/panel/sight';
+import { whenInSight } from '../../shared/panel/sight';
 import { say } from '../../shared/text/words';
 
 /** A table of the dock that is no table of a block. */
@@ -48,12 +48,11 @@ function placedTable(host: HTMLElement, store: BlockStore): { draw: () => void }
     },
   });
   const columns = remember((shown: readonly PlacedFile[], unit: LengthUnit) => placedColumns(shown, (one) => verdictText(one, store.state), unit));
-  const draw = () => {
-    if (isHidden(host)) return;
+  const draw = whenInSight(host, () => {
     rows = placedFiles(store.state);
     table.show(rows.length, columns(rows, unitOfOrthophoto(store.state.placing.orthophoto)), undefined, filter);
     table.reveal(rows.findIndex(({ file }) => file.id === store.state.placing.chosen.image));
-  };
+  });
   store.watch(
     (s) => [s.placing.placed, s.files, s.placing.options, s.placing.heights, s.options.cameras, s.placing.chosen.image] as const,
     () => draw(),
@@ -77,8 +76,7 @@ function linksTable(host: HTMLElement, store: BlockStore): { draw: () => void } 
     },
   });
   const columns = remember(linkColumns);
-  const draw = () => {
-    if (isHidden(host)) return;
+  const draw = whenInSight(host, () => {
     const placed = chosenPlaced(store.state);
     const placement = placed?.result?.placement ?? null;
     table.show(
@@ -88,7 +86,7 @@ function linksTable(host: HTMLElement, store: BlockStore): { draw: () => void } 
       filter,
     );
     table.reveal(store.state.placing.chosen.link ?? -1);
-  };
+  });
   store.watch(
     (s) => [s.placing.placed, s.placing.chosen, s.files] as const,
     () => draw(),
