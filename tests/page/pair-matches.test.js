@@ -75,6 +75,11 @@ test('matches rejected in a pair are rejected in the block as one step, which is
   assert.equal(relisted, await row.textContent());
   assert.notEqual(relisted, listed);
   await part(page, 'mode-pair').click();
+  // It is said until they are others.
+  await says(page, 'of-block', /In the block: reject/);
+  await part(page, 'undo').click();
+  await says(page, 'of-block', /^(?!.*In the block:)/);
+  await part(page, 'redo').click();
 
   // A match that is measured becomes a tie point.
   await part(page, 'statistics-clear').click();
