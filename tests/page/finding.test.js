@@ -24,6 +24,14 @@ const first = (page) =>
     .first()
     .evaluate((row) => [row.children[0]?.textContent ?? '', row.children[1]?.textContent ?? '', row.getAttribute('aria-disabled') !== 'true']);
 
+/** What cannot be done and does not say why.  @param {Page} page @param {string} words @returns {Promise<string[]>} */
+async function unexplained(page, words) {
+  await find(page, words);
+  const rows = await page.locator('[data-testid="search-list"] [aria-disabled="true"]').evaluateAll((all) => all.map((row) => row.textContent ?? ''));
+  await page.keyboard.press('Escape');
+  return rows.filter((text) => !/not possible now · \p{Ll}/u.test(text));
+}
+
 /** Does what is found first by words.  @param {Page} page @param {string} words @param {string} name */
 async function act(page, words, name) {
   await find(page, words);
@@ -65,6 +73,22 @@ test('from the map actions of the images, plots and tables are found and done', 
   assert.match((await first(page)).join(), /^Undo,not possible now · there is no edit to undo/);
   await page.keyboard.press('Escape');
 
+  // Whatever cannot be done says what it lacks, which begins with a small letter; what it belongs to, with a capital one.
+  assert.deepEqual(await unexplained(page, ''), []);
+  await find(page, 'split');
+  assert.match((await first(page)).join(), /^Split,not possible now · no point is chosen that can be split/);
+  // Buttons of settings, by their names and by what they belong to.
+  for (const words of ['measure marks', 'scanned film measure', 'ARABIC']) {
+    await part(page, 'search-text').fill(words);
+    assert.match((await first(page)).join(), words === 'ARABIC' ? /^العربية,.*,true$/ : /^Measure marks …,.*,true$/, words);
+  }
+  // An image is no point.
+  await page.keyboard.press('Escape');
+  await act(page, 'chooses the next image map', 'Chooses the next image');
+  await find(page, 'matches least squares other');
+  assert.deepEqual((await first(page))[2], false);
+  await page.keyboard.press('Escape');
+
   // Tables in a closed drawer, behind another tab.
   assert.ok(await part(page, 'block-points').isHidden());
   const [saved] = await Promise.all([page.waitForEvent('download'), act(page, 'csv tables points', 'CSV')]);
@@ -84,6 +108,7 @@ test('from the map actions of the images, plots and tables are found and done', 
 test('actions of the block are found in the pair before the block was ever shown, and the other way round', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ fresh: true });
   await pair(page);
+  assert.deepEqual(await unexplained(page, ''), []);
   await find(page, 'footprints');
   assert.match((await first(page)).join(), /^Footprints,not possible now · needs a finished block · Block · .*,false$/);
   await part(page, 'search-text').fill('strips setting');

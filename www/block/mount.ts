@@ -8,6 +8,7 @@ import type { Keepable } from '../shared/files/keepable';
 import type { Here } from '../shared/files/leaving';
 import { fileButton } from '../shared/panel/picker';
 import { makeNear } from '../shared/panel/near';
+import { declareLack } from '../shared/panel/lack';
 import { reveal as revealField } from '../shared/panel/reach';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { Holder } from '../shared/state/store';
@@ -55,6 +56,7 @@ import { BLOCK_INITIAL, isBusy } from './state/state';
 import type { BlockCatalogue } from './state/state';
 import { mountBlockStatus } from './panel/status';
 import { say } from '../shared/text/words';
+import { lackOfBlock, lackOfImages } from './state/lacks';
 
 /** The sample has so few photos that it is done in half a minute. */
 const SAMPLE = { strips: 3, exposures: 4 };
@@ -128,6 +130,8 @@ export async function mountBlock(
   };
   const actions = h('div', { class: 'actions', role: 'group', aria: { label: say('images-of-the-block') } });
   const exports = h('div', { class: 'actions', role: 'group', aria: { label: say('export-of-the-block') } });
+  declareLack([actions], () => lackOfImages(store.state));
+  declareLack([exports], () => lackOfBlock(store.state));
   const settings = tabbed('settings', say('settings'), [
     ['block-settings', say('settings')],
     ['block-orthophoto', say('orthophoto')],

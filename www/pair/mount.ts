@@ -6,7 +6,7 @@ import type { Here } from '../shared/files/leaving';
 import { byId, h } from '../shared/panel/dom';
 import { drawerButton, reveal, setDrawer, uncoverPictures } from '../shared/panel/drawers';
 import { makeNear } from '../shared/panel/near';
-import { declareLack } from '../shared/panel/reach';
+import { declareLack } from '../shared/panel/lack';
 import { readSetting, withSetting } from '../shared/panel/settings';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { sentence } from '../shared/text/format';

@@ -2,7 +2,7 @@
 import { toggle } from '../../shared/panel/choice';
 import { h } from '../../shared/panel/dom';
 import { isOpen, watchDrawers } from '../../shared/panel/drawers';
-import { declareLack } from '../../shared/panel/reach';
+import { declareLack } from '../../shared/panel/lack';
 import { sidewaysNote, watchSideways } from '../../shared/panel/sideways';
 import { isHidden, whenInSight } from '../../shared/panel/sight';
 import { tabbed } from '../../shared/panel/tabs';
@@ -19,6 +19,7 @@ import type { Listed } from '../state/state';
 import type { Looking } from '../view/looking';
 import type { DockTable } from './placing-tables';
 import { say } from '../../shared/text/words';
+import { lackOfBlock } from '../state/lacks';
 
 const TABLES: readonly (readonly [Subject, string])[] = [
   ['images', say('images-2')],
@@ -44,7 +45,7 @@ export function makeDock(store: BlockStore, looking: Looking, facts: Facts, othe
     ...others.map(({ id, title }) => [id, title] as const),
   ]);
   element.prepend(splitter(element));
-  declareLack(panels.slice(0, sources.length), () => (store.state.shown === null ? say('needs-a-block') : ''));
+  declareLack(panels.slice(0, sources.length), () => lackOfBlock(store.state));
   const tables = sources.map((source, i) => oneTable(panels[i] ?? element, store, looking, source));
   const further = others.map((other, i) => other.make(panels[sources.length + i] ?? element));
   const draw = () => {

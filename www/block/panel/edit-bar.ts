@@ -3,7 +3,8 @@ import { choice } from '../../shared/panel/choice';
 import { button, byId, h } from '../../shared/panel/dom';
 import { passFocus } from '../../shared/panel/focus';
 import { set, showSteps } from '../../shared/panel/history';
-import { declareLack, declarePlace } from '../../shared/panel/reach';
+import { declareLack } from '../../shared/panel/lack';
+import { declarePlace } from '../../shared/panel/reach';
 import { fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
@@ -25,6 +26,7 @@ import { timelineOf } from '../state/timeline';
 import type { BlockState } from '../state/state';
 import { say } from '../../shared/text/words';
 import { editOf, makeEdit, nameOfTimed, namesIn, stepBy } from './edits';
+import { lackOfBlock } from '../state/lacks';
 
 /** What measures points, once the images view is there. */
 export interface Measures {
@@ -145,9 +147,17 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     { class: 'toolbar edit-bar', testid: 'block-edit-bar', role: 'toolbar', aria: { label: say('edits-by-hand') } },
     ...[undo, redo, reject, whole, restore, remove, joining, parting, measure, add, match, accept, leave, use, text],
   );
-  declareLack([reject, whole, restore, remove, joining, parting, measure, match], () =>
-    store.state.selection.chosen === null ? say('nothing-is-chosen') : '',
-  );
+  for (const [made, lack] of [
+    [reject, say('nothing-to-reject-is-chosen')],
+    [whole, say('no-point-is-chosen')],
+    [restore, say('nothing-rejected-is-chosen')],
+    [remove, say('no-chosen-image')],
+    [joining, say('no-points-to-join')],
+    [parting, say('no-point-to-split')],
+    [measure, say('no-point-is-chosen')],
+    [match, say('no-point-is-chosen')],
+  ] as const)
+    declareLack([made], () => lackOfBlock(store.state) || lack);
   declareLack([accept, leave], () => (store.state.draft === null ? say('nothing-is-measured') : ''));
   declarePlace([measure, add], {
     title: say('images-2'),

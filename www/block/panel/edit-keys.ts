@@ -8,6 +8,7 @@ import { takesPlaces } from '../state/places';
 import { blockOnOrthophoto } from '../state/showing';
 import { say } from '../../shared/text/words';
 import { editOf, makeEdit, stepBy } from './edits';
+import { lackOfBlock } from '../state/lacks';
 
 /** The keys of edits: undo and redo wherever the block is shown, the others on the stage and in the tables. */
 export function mountBlockEditKeys(store: BlockStore, hosts: readonly HTMLElement[]): void {
@@ -19,7 +20,8 @@ export function mountBlockEditKeys(store: BlockStore, hosts: readonly HTMLElemen
   );
   const idle = () => store.state.draft === null && isBlockSeen();
   const lack = (kind: 'reject' | 'restore') => {
-    if (store.state.shown === null) return say('needs-a-block');
+    const block = lackOfBlock(store.state);
+    if (block !== '') return block;
     return editOf(store.state, kind) === null ? say(kind === 'reject' ? 'nothing-to-reject-is-chosen' : 'nothing-rejected-is-chosen') : '';
   };
   const list: Command[] = [

@@ -7,6 +7,8 @@ import type { BlockFiles } from '../files/files';
 import { framesOf, marksOfNone, possibleScans } from '../state/film';
 import { countedScans } from '../state/scan-marks';
 import { isBusy } from '../state/state';
+import { declareLack } from '../../shared/panel/lack';
+import { lackOfImages } from '../state/lacks';
 
 /** Names of marks that are listed, at most. */
 const LISTED = 3;
@@ -30,6 +32,11 @@ export function filmFields(store: BlockStore, files: BlockFiles, measureMarks: (
   const remove = button(say('remove'), 'block-film-remove', () => taken.clear());
   remove.setAttribute('aria-label', say('remove-2', { title: say('scanned-film') }));
   const frames = button(say('make-frames'), 'block-film-frames', () => void files.actions.frames());
+  declareLack([measure], () => lackOfImages(store.state));
+  declareLack([frames], () => {
+    const { film } = store.state.placing;
+    return film.camera === null || film.marks.length === 0 ? say('needs-marked-scans') : '';
+  });
   const cameraName = h('p', { class: 'note', testid: 'block-film-camera-name' });
   const marksNames = h('p', { class: 'note', testid: 'block-film-marks-names' });
   const counted = h('p', { class: 'note', testid: 'block-film-counted' });

@@ -28,6 +28,7 @@ import { imageLegend } from './image-legend';
 import { KEYS_ID } from './view';
 import type { StageView } from './view';
 import { say } from '../../shared/text/words';
+import { declareLack } from '../../shared/panel/lack';
 
 const KEYS = say('press-a-point-every-image');
 
@@ -250,6 +251,7 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
     const images = pairOf(store);
     if (images !== null) looking.open(images);
   });
+  declareLack([pair], () => (pairOf(store) === null ? say('needs-two-shown') : ''));
   pair.title = say('match-the-two-images-that');
   const light = makeLight('images-', host, set);
   const more = h(

@@ -28,6 +28,8 @@ import { BlockMap } from '../view/map/map';
 import { KEYS_ID } from './view';
 import type { StageView } from './view';
 import { say } from '../../shared/text/words';
+import { declareLack } from '../../shared/panel/lack';
+import { lackOfOrthophoto } from '../state/lacks';
 
 const LAYOUTS: Readonly<Record<Layout['kind'], string>> = {
   oriented: say('oriented-positions-from-above'),
@@ -98,6 +100,10 @@ function toolsOf(store: BlockStore, map: BlockMap, mosaic: () => void): HTMLElem
     ['orthophoto', toggle(say('orthophoto'), 'map-orthophoto', say('the-orthophoto-that-is-given'), (orthophoto) => map.show({ orthophoto }))],
     ['lasso', toggle(say('lasso'), 'map-lasso', say('shift-and-a-drag-chooses'), (lasso) => map.show({ lasso }))],
   ];
+  declareLack(
+    switches.flatMap(([name, press]) => (name === 'orthophoto' ? press : [])),
+    () => lackOfOrthophoto(store.state),
+  );
   map.watch(() => {
     const { shows } = map;
     select.value = shows.colouring;

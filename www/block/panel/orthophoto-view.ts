@@ -29,6 +29,7 @@ import { KEYS_ID } from './view';
 import type { StageView } from './view';
 import { asFigure } from '../../shared/text/direction';
 import { say } from '../../shared/text/words';
+import { declareLack } from '../../shared/panel/lack';
 
 const KEYS = say('press-a-footprint-to-see');
 
@@ -215,6 +216,7 @@ function toolsOf(store: BlockStore, engine: PlacingEngine, plan: OrthophotoPlan,
 function handsOf(store: BlockStore, hands: LinkHands): HTMLElement {
   const reject = button(say('reject-link'), 'link-reject', () => hands.use('reject'), say('leaves-the-chosen-link-out'));
   const restore = button(say('use-link'), 'link-restore', () => hands.use('restore'), say('lets-the-chosen-link-take'));
+  declareLack([reject, restore], () => (store.state.placing.chosen.link === null ? say('no-link-is-chosen') : ''));
   const add = toggle(say('add-link'), 'link-add', say('measures-a-link-by-hand'), () => hands.measure());
   const accept = button(say('accept'), 'link-accept', () => hands.accept(), say('takes-the-link-that-is'));
   const undo = button(say('undo'), 'link-undo', () => hands.go(-1));

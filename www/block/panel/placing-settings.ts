@@ -18,6 +18,8 @@ import { message } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
 import { fixed } from '../../shared/text/format';
 import { unitText, withUnit } from '../../shared/text/units';
+import { declareLack } from '../../shared/panel/lack';
+import { lackOfOrthophoto } from '../state/lacks';
 
 const ORTHOPHOTO = say('none-a-geotiff-in-a');
 const HEIGHTS = say('none-the-ground-is-level');
@@ -41,6 +43,7 @@ export function mountPlacingSettings(host: HTMLElement, store: BlockStore, files
     { testid: 'block-heights', label: say('file-heights'), multiple: true, accept: '.tif,.tiff,.asc,.txt,.tfw,.wld,.prj,image/tiff' },
     (given) => void files.takeGround(given, true),
   );
+  declareLack([heights], () => lackOfOrthophoto(store.state));
   const remove = button(say('remove'), 'block-orthophoto-remove', () => store.dispatch({ type: 'orthophoto', orthophoto: null }));
   remove.setAttribute('aria-label', say('remove-orthophoto'));
   const name = h('p', { class: 'note', testid: 'block-orthophoto-name' });

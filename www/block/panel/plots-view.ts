@@ -13,6 +13,7 @@ import { KEYS_ID } from './view';
 import type { StageView } from './view';
 import { intoEnglish } from '../../shared/engine/texts';
 import { say } from '../../shared/text/words';
+import { declareLack } from '../../shared/panel/lack';
 
 const KEYS = say('press-a-value-to-choose');
 
@@ -38,6 +39,7 @@ export function plotsView(facts: Facts): StageView {
       };
       const picture = button('PNG', 'plot-png', () => void savePicture(plot, saved), say('saves-the-plot-as-it'));
       const values = button('CSV', 'plot-csv', () => void saveValues(plot, saved), say('saves-the-values-of-the'));
+      declareLack([picture, values], () => (picture.disabled ? say('no-plot-is-shown') : ''));
       const show = () => {
         const data = plot.data();
         const text = data === null ? '' : plotText(data, (store.state.shown?.view.oriented ?? 0) > 0);

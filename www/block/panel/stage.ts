@@ -2,7 +2,8 @@
 import { beforeSearch } from '../../shared/panel/actions';
 import { button, fill, h } from '../../shared/panel/dom';
 import { drawerButton } from '../../shared/panel/drawers';
-import { declareLack, declarePlace } from '../../shared/panel/reach';
+import { declareLack } from '../../shared/panel/lack';
+import { declarePlace } from '../../shared/panel/reach';
 import { zoomButtons } from '../../shared/panel/zoom';
 import type { BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
@@ -18,6 +19,7 @@ import { KEYS_ID } from './view';
 import type { MountedView, StageView } from './view';
 import { say } from '../../shared/text/words';
 import { byKeys } from '../../shared/panel/scrolled';
+import { lackOfBlock, lackOfOrthophoto } from '../state/lacks';
 
 /** What the invitation offers. */
 export interface Invitation {
@@ -73,7 +75,7 @@ export function mountStage(
     dock,
     keys,
   );
-  const lacksBlock = () => (store.state.shown === null ? say('needs-a-block') : '');
+  const lacksBlock = () => lackOfBlock(store.state);
   declareLack([line], lacksBlock);
   /** `isShown`: now. */
   const make = ({ name, title, mount }: StageView, isShown: boolean) => {
@@ -84,7 +86,7 @@ export function mountStage(
     for (const part of parts) part.hidden = !isShown;
     declarePlace(parts, { title, show: () => store.dispatch({ type: 'stage', view: name }) });
     // Images are placed on an orthophoto without a block, too.
-    if (name !== 'orthophoto') declareLack(parts, lacksBlock);
+    declareLack(parts, name === 'orthophoto' ? () => lackOfOrthophoto(store.state) : lacksBlock);
     shelf.append(made.element);
     tools.append(...made.tools);
     if (made.legend !== undefined) legends.append(made.legend);

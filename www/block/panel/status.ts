@@ -29,6 +29,8 @@ import type { BlockView } from '../state/view';
 import { ofLine } from '../../shared/state/notice';
 import { refusedText, say } from '../../shared/text/words';
 import { message } from '../../shared/text/messages';
+import { declareLack } from '../../shared/panel/lack';
+import { lackOfImages } from '../state/lacks';
 
 /** What the button beside the answer can do. */
 export interface BlockAnswerActions {
@@ -61,6 +63,8 @@ export function mountBlockStatus(store: BlockStore, actions: BlockAnswerActions,
     else actions.run();
   });
   const cancel = button(say('cancel'), 'block-cancel', actions.cancel);
+  declareLack([run], () => lackOfImages(store.state));
+  declareLack([cancel], () => (cancel.disabled || cancel.hidden ? say('nothing-is-running') : ''));
   const buttons = h('div', { class: 'answer-actions' }, progressBar(store), run, cancel, details);
   const card = h('div', { class: 'answer', testid: 'block-answer' }, line, buttons);
   const show = answerCard(card, line, buttons, 'block-');

@@ -41,7 +41,7 @@ export abstract class Chart implements Zoomable {
       if (view !== null && view.images.length > 0) this.paint(context, themeColours(), view, this.current(view));
     });
     onRecolour(() => this.layers.redraw());
-    const ofChoice = declare({ where: WHERE[name] ?? '', host, list: this.choiceKeys() });
+    const ofChoice = declare({ where: WHERE[name] ?? '', host, list: this.choiceKeys(), lacks: say('no-pair-is-chosen') });
     listen<BlockView>(host, {
       at: () => this.view(),
       focused: () => this.view(),

@@ -18,6 +18,7 @@ import { firstRefused, numberField, problemLine, readNumber, readPair, showNumbe
 import type { NumberField } from '../../shared/panel/numberfield';
 import { say } from '../../shared/text/words';
 import { message } from '../../shared/text/messages';
+import { declareLack } from '../../shared/panel/lack';
 
 /** The numbers of a camera: where each stands, and a camera of which nothing else is said. */
 interface CameraNumber {
@@ -124,6 +125,7 @@ export function mountCamera(host: HTMLElement, store: Store, loadFile: () => voi
   const source = h('p', { class: 'note', testid: 'camera-source' });
   const load = button(say('load-camera-json'), 'load-camera', loadFile);
   const clear = button(say('clear'), 'clear-camera', () => store.dispatch({ type: 'camera', camera: null }));
+  declareLack([clear], () => (store.state.camera === null ? say('no-camera-is-given') : ''));
   host.append(
     h(
       'fieldset',

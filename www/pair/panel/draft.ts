@@ -1,5 +1,5 @@
 /** While a match is measured by hand: what to do next, where its points lie, and buttons for each key. */
-import { declareLack } from '../../shared/panel/reach';
+import { declareLack } from '../../shared/panel/lack';
 import { lackOfMatches } from '../state/choice';
 import { button, h } from '../../shared/panel/dom';
 import { fixed } from '../../shared/text/format';

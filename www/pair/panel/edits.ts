@@ -14,7 +14,7 @@ import type { Editing } from '../state/editing';
 import { nameOfEdit } from '../state/edits';
 import { steps } from '../../shared/state/history';
 import { hasKeys, REDO_KEYS, set, showHistory, showSteps, UNDO_KEYS, undoKeys } from '../../shared/panel/history';
-import { declareLack } from '../../shared/panel/reach';
+import { declareLack } from '../../shared/panel/lack';
 import type { Sorting } from '../state/edits';
 import { interiorInUse } from '../state/interior';
 import { countsOf, pixelMm } from '../state/residuals';
@@ -26,6 +26,12 @@ import { say } from '../../shared/text/words';
 /** How many matches an edit is about, where it is more than one. */
 function several(edit: Sorting | null): string {
   return edit !== null && edit.of.length > 1 ? ` ${count(edit.of.length)}` : '';
+}
+
+/** What the buttons of edits lack that do nothing as things are. */
+function sayLacks(store: Store, reject: HTMLElement, restore: HTMLElement): void {
+  declareLack([reject], () => lackOfEdit(store.state, 'reject'));
+  declareLack([restore], () => lackOfEdit(store.state, 'restore'));
 }
 
 /** In the panel of the matches. `follow` shows the points that are measured, where the keyboard then is. */
@@ -43,6 +49,8 @@ export function mountEdits(host: HTMLElement, store: Store, editing: Editing, fo
   );
   const undo = button(say('undo'), 'undo', () => editing.step(-1), say('take-back-the-last-edit'));
   const redo = button(say('redo'), 'redo', () => editing.step(1), say('make-the-edit-again-that'));
+  sayLacks(store, reject, restore);
+  declareLack([move], () => lackOfSelected(store.state));
   hasKeys(undo, UNDO_KEYS);
   hasKeys(redo, REDO_KEYS);
   const hint = h('p', { class: 'note', testid: 'edit-hint' }, say('to-reject-wrong-matches-choose'));
@@ -118,11 +126,7 @@ export function mountEditTools(host: HTMLElement, bar: HTMLElement, store: Store
   const reject = button(say('reject'), 'tool-reject', () => editing.edit('reject'), say('take-the-chosen-matches-out'));
   const restore = button(say('restore'), 'tool-restore', () => editing.edit('restore'), say('use-the-chosen-matches-again'));
   declareLack([choose], () => lackOfMatches(store.state));
-  for (const [made, kind] of [
-    [reject, 'reject'],
-    [restore, 'restore'],
-  ] as const)
-    declareLack([made], () => lackOfEdit(store.state, kind));
+  sayLacks(store, reject, restore);
   host.append(h('span', { class: 'divider' }), choose, undo, redo);
   bar.append(reject, restore);
   store.watch(

@@ -15,6 +15,7 @@ import { fixed } from '../../shared/text/format';
 import { firstRefused, numberInput, problemLine, readPair, showNumber } from '../../shared/panel/numberfield';
 import { say } from '../../shared/text/words';
 import { unitText } from '../../shared/text/units';
+import { declareLack } from '../../shared/panel/lack';
 
 const FIELDS = ['col', 'row', 'x_mm', 'y_mm'] as const;
 const HEADS: Record<(typeof FIELDS)[number], string> = { col: say('col-px'), row: say('row-px'), x_mm: `x ${unitText('mm')}`, y_mm: `y ${unitText('mm')}` };
@@ -72,6 +73,8 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void, marking
     },
   );
   const clear = button(say('clear'), `clear-fiducials-${side}`, () => marking.removeAll(side));
+  declareLack([inPicture], () => (store.state.images[side] === null ? say('needs-a-photo') : ''));
+  declareLack([clear], () => (store.state.photos[side].fiducials.length === 0 ? say('nothing-is-measured') : ''));
   const undo = button(say('undo-sign'), `undo-fiducials-${side}`, () => marking.step(-1));
   const redo = button(say('redo-sign'), `redo-fiducials-${side}`, () => marking.step(1));
   let shown: readonly Fiducial[] | null = null;

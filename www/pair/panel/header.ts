@@ -13,6 +13,9 @@ import type { Store } from '../state/store';
 import { truthOf } from '../state/truth';
 import type { View } from '../view/view';
 import { say } from '../../shared/text/words';
+import { declareLack } from '../../shared/panel/lack';
+import { lackOfMatches } from '../state/choice';
+import { SIDES } from '../state/state';
 
 /** Opens the file dialog for a side, or for any files; or for the mask of a side. */
 export type Pick = (side: Side | null, what?: 'any' | 'mask') => void;
@@ -78,6 +81,8 @@ export function mountHeader({ store, engine, view, files, pick, attempt, saving,
   for (const id of ['sample', 'sample-first']) on(id, () => files.takeSample());
   on('sample-block-first', sampleBlock);
   mountMenu(byId('export-menu'), byId('exports'));
+  declareLack([byId('swap')], () => (SIDES.every((side) => store.state.images[side] === null) ? say('needs-two-photos') : ''));
+  declareLack([byId('exports')], () => lackOfMatches(store.state));
   on('swap', () => swap(store, engine));
   onExport('export-csv', () => exportMatches(store.state, engine));
   onExport('export-json', () => exportEverything(store.state));

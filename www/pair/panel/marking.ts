@@ -9,6 +9,7 @@ import { nameOfMarkStep } from '../state/mark-steps';
 import { markInHand, placeOfMark } from '../state/marks';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
+import { declareLack } from '../../shared/panel/lack';
 
 /** Whether undo and redo by their keys are of marks: while they are measured, and where the keyboard is in their tables. */
 export function marksHaveKeys({ tool }: State): boolean {
@@ -36,6 +37,7 @@ export function mountMarking(bar: HTMLElement, store: Store, marking: Marking): 
     redo,
     end,
   );
+  declareLack([buttons], () => (store.state.tool === 'fiducials' ? '' : say('nothing-is-measured')));
   bar.append(buttons);
   undoKeys(
     // Where the pair is what is shown.

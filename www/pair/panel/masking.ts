@@ -10,6 +10,7 @@ import type { Masking } from '../state/masking';
 import { SIDES } from '../state/state';
 import type { Side, State } from '../state/state';
 import type { Store } from '../state/store';
+import { declareLack } from '../../shared/panel/lack';
 
 /** What takes a moment: the outlined area is masked, or no longer; the last step is taken back, or made again. */
 export interface MaskDeeds {
@@ -38,6 +39,7 @@ export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, 
     keep,
     end,
   );
+  declareLack([buttons], () => (store.state.tool === 'mask' ? '' : say('nothing-is-outlined')));
   host.append(tool);
   undoKeys(
     // Where the pair is what is shown.

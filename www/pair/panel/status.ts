@@ -14,6 +14,7 @@ import { ofLine } from '../../shared/state/notice';
 import type { Choice, Notice } from '../../shared/state/notice';
 import { byId } from '../../shared/panel/dom';
 import { refusedText, say } from '../../shared/text/words';
+import { declareLack } from '../../shared/panel/lack';
 
 /** A run shorter than this shows no bar: it would only flicker. */
 const PATIENCE_MS = 250;
@@ -27,6 +28,7 @@ export function mountStatus(store: Store, actions: StatusActions): void {
   const show = answerCard(byId('answer'), byId('status'), byId('answer-actions'), '');
   const bar = byId('progress') as HTMLProgressElement;
   const cancel = byId('cancel') as HTMLButtonElement;
+  declareLack([cancel], () => (cancel.disabled || cancel.hidden ? say('nothing-is-running') : ''));
   const run = byId('run') as HTMLButtonElement;
   cancel.addEventListener('click', actions.cancel);
   run.addEventListener('click', actions.run);

@@ -34,9 +34,24 @@ export function mountInput(view: View, store: Store, navigator: Navigator, { edi
   };
   // In the order of the list of keys: what is needed most comes first.
   const look = declare({ where: say('pictures-of-a-pair'), host, list: pictureKeys(view, store, navigator, editing, masking) });
-  const measuring = declare({ where: say('pictures-of-a-pair-while'), host, list: measuringKeys(store, navigator, editing) });
-  const masks = declare({ where: say('pictures-of-a-pair-while-masking'), host, list: maskingKeys(store, navigator, masking, paint) });
-  const marks = declare({ where: say('pictures-of-a-pair-while-marking'), host, list: markingKeys(store, navigator, marking) });
+  const measuring = declare({
+    where: say('pictures-of-a-pair-while'),
+    host,
+    list: measuringKeys(store, navigator, editing),
+    lacks: say('nothing-is-measured'),
+  });
+  const masks = declare({
+    where: say('pictures-of-a-pair-while-masking'),
+    host,
+    list: maskingKeys(store, navigator, masking, paint),
+    lacks: say('nothing-is-outlined'),
+  });
+  const marks = declare({
+    where: say('pictures-of-a-pair-while-marking'),
+    host,
+    list: markingKeys(store, navigator, marking),
+    lacks: say('nothing-is-measured'),
+  });
   listen<Side>(
     host,
     {

@@ -3,7 +3,7 @@ import { inSight, steps } from '../state/history';
 import type { History } from '../state/history';
 import { declare } from '../view/commands';
 import { button, fill, h } from './dom';
-import { declareLack } from './reach';
+import { declareLack } from './lack';
 import { say } from '../text/words';
 
 export const UNDO_KEYS = ['Ctrl+Z'] as const;

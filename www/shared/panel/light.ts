@@ -4,6 +4,7 @@ import type { Light } from '../state/light';
 import { say } from '../text/words';
 import { button, h } from './dom';
 import { passFocus } from './focus';
+import { declareLack } from './lack';
 
 /** A slider goes from the one share to the other in even steps of their ratio. */
 const MOST = 3;
@@ -17,6 +18,7 @@ export function makeLight(prefix: string, host: HTMLElement, set: (light: Partia
     passFocus(reset, [brightness.input]);
   });
   reset.title = say('light-reset-title');
+  declareLack([reset], () => (reset.disabled ? say('nothing-is-changed') : ''));
   return {
     elements: [brightness.element, contrast.element, reset],
     show: (light) => {

@@ -65,7 +65,7 @@ function ofButtons(buttons: readonly HTMLButtonElement[]): Offer[] {
     .map((button) => ({ button, off: Number(isOff(button)), away: waysTo(button).length }))
     .sort((a, b) => a.off - b.off || a.away - b.away);
   return once(inOrder.map(({ button }) => button)).map((button) => {
-    const texts = [groupOf(twinOf(button) ?? button), tabOf(button), kindOf(button), button.title].filter((text) => !saysName(button, text));
+    const texts = [groupOf(twinOf(button) ?? button), legendOf(button), tabOf(button), kindOf(button), button.title].filter((text) => !saysName(button, text));
     const run = () => {
       reveal(button);
       button.click();
@@ -87,7 +87,7 @@ function ofCommands(buttons: readonly HTMLButtonElement[]): Offer[] {
     });
 }
 
-function ofCommand({ where, host }: Commands, command: Commands['list'][number]): Offer {
+function ofCommand({ where, host, lacks: otherwise = '' }: Commands, command: Commands['list'][number]): Offer {
   const { keys, does, can, run, lacks } = command;
   const possible = () => can?.() !== false;
   const lack = lackOf(host) || (lacks?.() ?? '');
@@ -100,17 +100,16 @@ function ofCommand({ where, host }: Commands, command: Commands['list'][number])
       if (possible()) run(false);
     })();
   };
-  return offer(host, [where], { name: sentenceOf(does), keys, run: go }, (!possible() || lack !== '') && lack);
+  return offer(host, [where], { name: sentenceOf(does), keys, run: go }, (!possible() || lack !== '') && (lack || otherwise));
 }
 
 function ofSettings(): Offer[] {
   return [...document.querySelectorAll<HTMLLabelElement>('.control label')].filter(reachable).map((label) => {
-    const group = label.closest('fieldset, details')?.querySelector('legend, summary')?.firstChild?.textContent ?? '';
     const run = () => {
       reveal(label);
       label.control?.focus();
     };
-    return offer(label, [say('setting'), group], { name: label.textContent, keys: [], run }, false);
+    return offer(label, [say('setting'), legendOf(label)], { name: label.textContent, keys: [], run }, false);
   });
 }
 
@@ -137,6 +136,9 @@ function ofLists(): Offer[] {
     );
   });
 }
+
+/** What the fold or the group of settings is called that an element is in. */
+const legendOf = (made: Element) => made.closest('fieldset, details')?.querySelector('legend, summary')?.firstChild?.textContent ?? '';
 
 /** Buttons that only unfold what is listed itself, or close what is open. */
 const UNNAMED = '.close, .menu-button, #export-menu';

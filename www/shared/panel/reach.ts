@@ -1,5 +1,6 @@
 /** What lies in a view that is not shown, in a closed drawer, behind a tab or in a fold, and the way to it. */
 import { setDrawer } from './drawers';
+import { ownLack } from './lack';
 import { showTab } from './tabs';
 
 /** A part or view of the page, which is shown in place of others. */
@@ -11,16 +12,10 @@ export interface Place {
 }
 
 const places = new WeakMap<Element, Place>();
-const lacks = new WeakMap<Element, () => string>();
 
 /** These elements are hidden as long as another place is shown. */
 export function declarePlace(elements: readonly Element[], place: Place): void {
   for (const element of elements) places.set(element, place);
-}
-
-/** `lack`: what has to be there before anything can be done with what an element holds; empty where it is there. */
-export function declareLack(elements: readonly Element[], lack: () => string): void {
-  for (const element of elements) lacks.set(element, lack);
 }
 
 /** An element and what it lies in, the innermost first. */
@@ -68,7 +63,7 @@ export function lackOf(element: Element): string {
   return (
     around(element)
       .reverse()
-      .map((one) => lacks.get(one)?.() ?? '')
+      .map((one) => ownLack(one))
       .find((text) => text !== '') ?? ''
   );
 }

@@ -16,6 +16,8 @@ export interface Commands {
   /** What has them; they can be run while it is seen. */
   host: Element;
   list: readonly Command[];
+  /** What those lack that cannot be run, where they do not say it themselves. */
+  lacks?: string;
 }
 
 const known: Commands[] = [];

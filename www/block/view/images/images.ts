@@ -61,7 +61,7 @@ export class ImagesView implements Commanded {
     this.moving = new Moving(this.seen);
     this.opening = new Opening(this.seen, this.measuring);
     const looks = declare({ where: say('images-of-a-block'), host, list: lookingKeys(this) });
-    const measures = declare({ where: say('images-of-a-block-measuring'), host, list: measuringKeys(this) });
+    const measures = declare({ where: say('images-of-a-block-measuring'), host, list: measuringKeys(this), lacks: say('nothing-is-measured') });
     listen<number>(
       host,
       {

@@ -29,7 +29,11 @@ const COARSE = 1;
 export function measuringKeys(view: Commanded): Command[] {
   const { measuring } = view;
   const drafts = () => measuring.draft !== null;
-  const lacksPoint = () => (drafts() || view.seen.store.state.selection.chosen !== null ? '' : say('no-point-is-chosen'));
+  const lacksPoint = () => (drafts() || measuring.canBegin() ? '' : say('no-point-is-chosen'));
+  const lacksPlace = () => {
+    const pane = view.seen.active();
+    return drafts() && (pane === null || measuring.placeIn(pane) === null) ? say('nothing-is-measured') : lacksPoint();
+  };
   const shown = (act: (shift: boolean) => void) => (shift: boolean) => {
     act(shift);
     view.opening.showDraft();
@@ -56,7 +60,7 @@ export function measuringKeys(view: Commanded): Command[] {
   return [
     { keys: ['e'], does: say('measures-the-chosen-point'), lacks: lacksPoint, run: shown(() => measuring.toggle(false)) },
     { keys: ['a'], does: say('measures-a-new-tie-point'), run: shown(() => measuring.toggle(true)) },
-    { keys: ['f'], does: say('matches-the-point-in-the'), lacks: lacksPoint, run: shown(() => view.match()) },
+    { keys: ['f'], does: say('matches-the-point-in-the'), lacks: lacksPlace, run: shown(() => view.match()) },
     { keys: ['Escape'], does: say('gives-up-measuring'), can: places, run: shown(() => measuring.leave()) },
     { keys: ['Enter'], does: say('takes-the-middle-of-the'), can: places, run: inPane(settle) },
     ...Object.entries(ARROWS).map(nudge),

@@ -64,6 +64,14 @@ export class Measuring {
     this.set(begun(of));
   }
 
+  /** Whether what is chosen can be measured: a point. */
+  canBegin(): boolean {
+    const { selection, shown } = this.store.state;
+    if (selection.chosen?.kind === 'given') return true;
+    const [point] = pointsOf(selection.chosen);
+    return shown !== null && point !== undefined && isMeasurable(shown.view, point);
+  }
+
   /** Where the point lies in an image: where it was placed, else where it was measured before, else where it is expected. */
   placeIn(pane: Pane): Position | null {
     return this.draft?.places.get(pane.image)?.at ?? this.measured(pane.image) ?? this.expected(pane);

@@ -61,6 +61,7 @@ export class BlockMap extends Chart {
     this.keys = declare({
       where: say('map'),
       host,
+      lacks: say('no-pair-is-chosen'),
       list: [
         { keys: ['n'], does: say('chooses-the-next-image'), run: () => this.step(1) },
         { keys: ['p'], does: say('chooses-the-previous-image'), run: () => this.step(-1) },
