@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, BY_HAND as BY_HAND$3, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, OWN_LIGHT, PointGrid, REDO_KEYS, REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine as affine$1, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, declareLack, declarePlace, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior, isCurrent, isHidden, isMeasured, isMode, isNothing, isOpen, isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, maskOf as maskOf$1, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf as standingOf$1, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, wholeMarks, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, BY_HAND as BY_HAND$3, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, OWN_LIGHT, PointGrid, REDO_KEYS, REJECTED as REJECTED$1, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine as affine$1, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, declareLack, declarePlace, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior, isCurrent, isHidden, isMeasured, isMode, isNothing, isOpen, isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, maskOf as maskOf$1, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placesByHand, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf as standingOf$1, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, whenInSight, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { arrange, asFigure, asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -156,7 +156,8 @@ function placesBefore({ left, places }, now) {
 var NO_FILM = {
 	camera: null,
 	marks: [],
-	areScans: false
+	areScans: false,
+	begun: []
 };
 function filmOf({ camera, marks }, image) {
 	const own = marks.find(({ name }) => stemOf(name) === stemOf(image));
@@ -184,9 +185,18 @@ function awaitsFrames(film, images) {
 }
 function withMarks(film, marks) {
 	const byStem = new Map([...film.marks, ...marks].map((own) => [stemOf(own.name), own]));
+	const given = new Set(marks.map(({ name }) => stemOf(name)));
 	return {
 		...film,
-		marks: [...byStem.values()]
+		marks: [...byStem.values()],
+		begun: film.begun.filter(({ image }) => !given.has(stemOf(image)))
+	};
+}
+function withBegun(film, shown, begun) {
+	const others = film.begun.filter(({ image }) => !shown.includes(image));
+	return begun.length === 0 && others.length === film.begun.length ? film : {
+		...film,
+		begun: [...others, ...begun]
 	};
 }
 function marksOfNone({ marks }, images) {
@@ -3645,6 +3655,10 @@ var namedIn = remember((found, steps) => {
 		surveyed: new Map([...names.surveyed, ...added])
 	};
 });
+// www/block/state/lacks.ts
+var lackOfBlock = ({ shown }) => shown === null ? say("needs-a-block") : "";
+var lackOfImages = ({ files }) => files.length === 0 ? say("needs-images") : "";
+var lackOfOrthophoto = ({ placing }) => placing.orthophoto === null ? say("needs-an-orthophoto") : "";
 // www/block/panel/edit-bar.ts
 function makeStep(store, edits) {
 	if (edits !== null) store.dispatch({
@@ -3780,16 +3794,16 @@ function mountEditBar(store, facts, measures) {
 		use,
 		text
 	]);
-	declareLack([
-		reject,
-		whole,
-		restore,
-		remove,
-		joining,
-		parting,
-		measure,
-		match
-	], () => store.state.selection.chosen === null ? say("nothing-is-chosen") : "");
+	for (const [made, lack] of [
+		[reject, say("nothing-to-reject-is-chosen")],
+		[whole, say("no-point-is-chosen")],
+		[restore, say("nothing-rejected-is-chosen")],
+		[remove, say("no-chosen-image")],
+		[joining, say("no-points-to-join")],
+		[parting, say("no-point-to-split")],
+		[measure, say("no-point-is-chosen")],
+		[match, say("no-point-is-chosen")]
+	]) declareLack([made], () => lackOfBlock(store.state) || lack);
 	declareLack([accept, leave], () => store.state.draft === null ? say("nothing-is-measured") : "");
 	declarePlace([measure, add], {
 		title: say("images-2"),
@@ -4037,7 +4051,8 @@ function mountBlockEditKeys(store, hosts) {
 	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length + store.state.marks.edits.length > 0 && isBlockSeen(), (by) => stepBy(store, by));
 	const idle = () => store.state.draft === null && isBlockSeen();
 	const lack = (kind) => {
-		if (store.state.shown === null) return say("needs-a-block");
+		const block = lackOfBlock(store.state);
+		if (block !== "") return block;
 		return editOf(store.state, kind) === null ? say(kind === "reject" ? "nothing-to-reject-is-chosen" : "nothing-rejected-is-chosen") : "";
 	};
 	const list = [{
@@ -5134,6 +5149,28 @@ async function saveAs(store, engine, kind, near = EXPORT) {
 		});
 	}
 }
+// www/block/state/poor-marks.ts
+var MOST_SIGMA0_PX = 3;
+var CLEARLY = 2;
+function poorMarks(marks) {
+	const { sigma0_mm: sigma, parameters } = orient_fiducials([...marks], "affine");
+	const [[a, b], [d, e]] = parameters;
+	const sigmaPx = (sigma ?? 0) / Math.sqrt(Math.abs(a * e - b * d));
+	return sigmaPx > MOST_SIGMA0_PX ? {
+		sigmaPx,
+		worst: worstOf(marks)
+	} : null;
+}
+function worstOf(marks) {
+	const [best, next] = marks.map((mark) => {
+		const others = marks.filter((other) => other !== mark);
+		return {
+			mark,
+			sigma: orient_fiducials(others, "similarity").sigma0_mm ?? 0
+		};
+	}).sort((one, other) => one.sigma - other.sigma);
+	return best !== void 0 && next !== void 0 && CLEARLY * best.sigma < next.sigma ? best.mark : null;
+}
 // www/block/state/scan-marks.ts
 var TOGETHER = 2;
 var COLUMNS$1 = [
@@ -5153,7 +5190,15 @@ function marksOfScan(film, image) {
 	const own = filmOf(film, image);
 	return own === null ? [] : parse_fiducials(own.marks);
 }
+function begunIn(film, scans) {
+	return scans.filter((scan) => !isInBlock(film, scan)).map(({ image, all }) => ({
+		image,
+		marks: all
+	}));
+}
 function marksToMeasure(film, image) {
+	const begun = film.begun.find((scan) => scan.image === image);
+	if (begun !== void 0) return [...begun.marks];
 	const own = marksOfScan(film, image);
 	if (own.length > 0) return own;
 	return film.marks.map(({ text }) => parse_fiducials(text)).reduce((best, marks) => marks.length > best.length ? marks : best, []).map(({ x_mm, y_mm }) => ({
@@ -5192,13 +5237,23 @@ function tablesToTake(film, scans) {
 }
 function lackOf(film, scans) {
 	return scans.flatMap((scan) => {
-		const { image, marks, withoutMm } = scan;
+		const { image, marks, all, withoutMm } = scan;
 		const lone = withoutMm === 0 ? "" : say("marks-without-mm", {
 			name: image,
 			marks: withoutMm
 		});
 		const fault = marks.length === 0 ? "" : faultOf(film, scan);
-		return [lone, fault === "" ? "" : `${image}: ${fault}`].filter((text) => text !== "");
+		const poor = marks.length === 0 || fault !== "" ? null : poorMarks(marks);
+		const off = poor === null ? "" : say("marks-far-off", {
+			name: image,
+			px: poor.sigmaPx,
+			worst: poor.worst === null ? 0 : all.indexOf(poor.worst) + 1
+		});
+		return [
+			lone,
+			fault === "" ? "" : `${image}: ${fault}`,
+			off
+		].filter((text) => text !== "");
 	}).join(" ");
 }
 function faultOf({ camera }, { marks, size }) {
@@ -5595,15 +5650,19 @@ function maskOf(masks, image) {
 	return masks[index] ?? null;
 }
 function otherMasks(masks, ofPair) {
-	return ofPair.filter(({ image, file }) => maskOf(masks, image)?.file !== file);
+	return ofPair.filter(({ image, file }) => {
+		const own = maskOf(masks, image);
+		return file === null ? own !== null && !isLacking(own) : own?.file !== file;
+	});
 }
 function withMasks(masks, others, newId) {
 	const former = new Set(others.map(({ image }) => maskOf(masks, image)));
-	return [...masks.filter((mask) => !former.has(mask)), ...others.map(({ image, file }) => ({
+	const given = others.flatMap(({ image, file }) => file === null ? [] : [{
 		id: newId(),
 		name: `${image}.png`,
 		file
-	}))];
+	}]);
+	return [...masks.filter((mask) => !former.has(mask)), ...given];
 }
 // www/block/files/tables.ts
 var OF_TIE_POINTS = ["confidence", "rmse_px"];
@@ -5847,7 +5906,11 @@ var BesideFiles = class {
 			type: "options",
 			options: { masks: withMasks(this.store.state.options.masks, masks, newId) }
 		});
-		this.telling.tellTaken(say("masks-are-of-the-block", { names: masks.map(({ image }) => image).join(", ") }));
+		const said = ["masks-are-of-the-block", "block-has-no-mask-of"].map((text) => {
+			const names = masks.filter(({ file }) => file === null === (text === "block-has-no-mask-of")).map(({ image }) => image);
+			return names.length === 0 ? "" : say(text, { names: names.join(", ") });
+		});
+		this.telling.tellTaken(said.filter((part) => part !== "").join(" "));
 	}
 	takeGeoid(file) {
 		this.store.dispatch({
@@ -6888,11 +6951,29 @@ function placingFrom(given, placed, catalogue, readFile, open) {
 }
 function filmFrom(given) {
 	if (given === void 0) return NO_FILM;
-	const { camera, marks, areScans } = objectOf(given, "placing.film");
+	const { camera, marks, areScans, begun = [] } = objectOf(given, "placing.film");
 	return {
 		camera: orNull(camera, (text) => textFrom(text, "placing.film.camera")),
 		marks: listOf$1(marks, "placing.film.marks", textFrom),
-		areScans: areScans === true
+		areScans: areScans === true,
+		begun: listOf$1(begun, "placing.film.begun", begunFrom)
+	};
+}
+function begunFrom(given, name) {
+	const { image, marks } = objectOf(given, name);
+	return {
+		image: likeOf(image, "", `${name}.image`),
+		marks: listOf$1(marks, `${name}.marks`, markFrom)
+	};
+}
+function markFrom(given, name) {
+	const mark = objectOf(given, name);
+	const number = (value) => typeof value === "number" ? value : NaN;
+	return {
+		col: number(mark.col),
+		row: number(mark.row),
+		x_mm: number(mark.x_mm),
+		y_mm: number(mark.y_mm)
 	};
 }
 function textFrom(given, name) {
@@ -7949,7 +8030,7 @@ function makeDock(store, looking, facts, others) {
 	const sources = TABLES.map(([subject, title]) => subject === "observations" ? observationSource(facts, () => draw()) : sourceOf(subject, title));
 	const { element, panels } = tabbed("dock", say("tables"), [...sources.map(({ subject, title }) => [`block-${subject}`, title]), ...others.map(({ id, title }) => [id, title])]);
 	element.prepend(splitter(element));
-	declareLack(panels.slice(0, sources.length), () => store.state.shown === null ? say("needs-a-block") : "");
+	declareLack(panels.slice(0, sources.length), () => lackOfBlock(store.state));
 	const tables = sources.map((source, i) => oneTable(panels[i] ?? element, store, looking, source));
 	const further = others.map((other, i) => other.make(panels[sources.length + i] ?? element));
 	const draw = () => {
@@ -8090,13 +8171,12 @@ function oneTable(host, store, looking, source) {
 	});
 	watchSideways(sideways, table);
 	let shownRows = NO_ROWS;
-	const draw = () => {
-		if (isHidden(host)) return;
+	const draw = whenInSight(host, () => {
 		const { shown, selection } = store.state;
 		shownRows = shown === null ? NO_ROWS : source.rows(shown);
 		table.show(shownRows.count, shownRows.columns, shown === null ? void 0 : source.keeps(shown, selection), selection.filters[subject]);
 		mark();
-	};
+	});
 	const mark = () => {
 		const { shown, selection } = store.state;
 		if (shown !== null) chosen = source.chosen(shown, selection.chosen);
@@ -8112,13 +8192,12 @@ function oneTable(host, store, looking, source) {
 	store.watch((s) => [s.selection.chosen], ([now]) => {
 		seeks = now !== null && !isSame(now, own);
 		own = null;
-		if (isHidden(host)) return;
-		if (subject === "observations") draw();
+		if (subject === "observations" || isHidden(host)) draw();
 		else mark();
 	});
 	const refresh = () => {
 		const { shown } = store.state;
-		if (!isHidden(host) && shown !== null && source.rows(shown) !== shownRows) draw();
+		if (isHidden(host) || shown !== null && source.rows(shown) !== shownRows) draw();
 	};
 	return {
 		draw,
@@ -8212,6 +8291,7 @@ function strongestPair(state) {
 // www/block/state/pair-matches.ts
 var SAME_PLACE_PX = 1.5;
 var SAME_MEASUREMENT_PX = .01;
+var REJECTED = 2;
 var cellOf$1 = (x, y) => [Math.floor(x / SAME_PLACE_PX), Math.floor(y / SAME_PLACE_PX)];
 var sharedPoints = remember((view, left, right) => {
 	const rows = new Map([...right.points].map((point, row) => [point, row]));
@@ -8222,7 +8302,8 @@ var sharedPoints = remember((view, left, right) => {
 		const [x = NaN, y = NaN] = left.places.subarray(2 * row, 2 * row + 2);
 		const [xr = NaN, yr = NaN] = right.places.subarray(2 * other, 2 * other + 2);
 		const key = cellOf$1(x, y).join(" ");
-		cells.set(key, [...cells.get(key) ?? [], {
+		const parts = [left.parts[row], right.parts[other]];
+		const shared = {
 			source,
 			at: [
 				x,
@@ -8230,8 +8311,10 @@ var sharedPoints = remember((view, left, right) => {
 				xr,
 				yr
 			],
-			isUsed: left.parts[row] === 0 && right.parts[other] === 0
-		}]);
+			isUsed: parts.every((part) => part === 0),
+			isRejected: parts.includes(REJECTED)
+		};
+		cells.set(key, [...cells.get(key) ?? [], shared]);
 	});
 	return cells;
 });
@@ -8247,10 +8330,14 @@ var AROUND = [
 	0,
 	1
 ].map((dx) => [dx, dy]));
-function pointsAt(cells, place) {
-	const [column, row] = cellOf$1(place[0], place[1]);
-	return AROUND.flatMap(([dx, dy]) => cells.get(`${String(column + dx)} ${String(row + dy)}`) ?? []).filter((point) => apart(place, point) <= SAME_PLACE_PX).sort((a, b) => apart(place, a) - apart(place, b));
+function pointsAbout(cells, [x, y]) {
+	const [column, row] = cellOf$1(x, y);
+	return AROUND.flatMap(([dx, dy]) => cells.get(`${String(column + dx)} ${String(row + dy)}`) ?? []);
 }
+function pointsAt(cells, place) {
+	return pointsAbout(cells, place).filter((point) => apart(place, point) <= SAME_PLACE_PX).sort((a, b) => apart(place, a) - apart(place, b));
+}
+var measuredAt = (cells, place) => pointsAt(cells, place).filter((point) => apart(place, point) <= SAME_MEASUREMENT_PX);
 function pointsOfRejected(cells, { rejected, used }) {
 	const nearest = new Map();
 	for (const place of rejected) for (const point of pointsAt(cells, place)) if (point.isUsed) nearest.set(point, Math.min(nearest.get(point) ?? Infinity, apart(place, point)));
@@ -8266,9 +8353,14 @@ function pointsOfRejected(cells, { rejected, used }) {
 	}
 	return new Set(nearest.keys());
 }
-function additionOf(cells, a, b, { at, of }) {
-	const there = pointsAt(cells, at);
-	if (there.some((point) => apart(at, point) <= SAME_MEASUREMENT_PX)) return [];
+function movedPoint(cells, { of, had }, isFree) {
+	const former = [...had].reverse();
+	const isAtLeft = ({ source, at }, [x, y]) => "manual" in source && Math.hypot(x - at[0], y - at[1]) <= SAME_MEASUREMENT_PX;
+	return [...former.flatMap((place) => measuredAt(cells, place)), ...former.flatMap((place) => pointsAbout(cells, place).filter((point) => isAtLeft(point, place)))].find((point) => !point.isRejected && isFree(point)) ?? (of === null ? void 0 : pointsAt(cells, of).find(({ isUsed }) => isUsed));
+}
+function additionOf(cells, a, b, match, isFree) {
+	const { at } = match;
+	if (measuredAt(cells, at).length > 0) return [];
 	const places = [{
 		image: a,
 		x_px: at[0],
@@ -8278,16 +8370,17 @@ function additionOf(cells, a, b, { at, of }) {
 		x_px: at[2],
 		y_px: at[3]
 	}];
-	const moved = of === null ? void 0 : pointsAt(cells, of).find(({ isUsed }) => isUsed);
-	if (moved !== void 0) return places.map((place) => ({
+	const moved = movedPoint(cells, match, isFree);
+	if (moved === void 0) return pointsAt(cells, at).length > 0 ? [] : [{
+		kind: "add_point",
+		observations: places
+	}];
+	const isElsewhere = ({ x_px, y_px }, end) => Math.hypot(x_px - (moved.at[2 * end] ?? NaN), y_px - (moved.at[2 * end + 1] ?? NaN)) > SAME_MEASUREMENT_PX;
+	return places.filter(isElsewhere).map((place) => ({
 		kind: "measure",
 		point: moved.source,
 		...place
 	}));
-	return there.length > 0 ? [] : [{
-		kind: "add_point",
-		observations: places
-	}];
 }
 var forBlock = remember((view, a, b, left, right, matches) => {
 	const cells = sharedPoints(view, left, right);
@@ -8302,7 +8395,8 @@ var forBlock = remember((view, a, b, left, right, matches) => {
 		if (points.some((point) => refused.has(point))) joined += 1;
 		else if (points.every(({ isUsed }) => isUsed)) without += 1;
 	}
-	const added = matches.measured.map((one) => additionOf(cells, a, b, one)).filter((edits) => edits.length > 0);
+	const had = new Set(matches.measured.flatMap(({ at }) => measuredAt(cells, at)));
+	const added = matches.measured.map((one) => additionOf(cells, a, b, one, (point) => !had.has(point))).filter((edits) => edits.length > 0);
 	return {
 		rejection: observations.length === 0 ? [] : [{
 			kind: "reject_observations",
@@ -8331,7 +8425,8 @@ function makeFromPair(store, facts, pair) {
 		});
 		given = {
 			step,
-			to: store.state.shown?.found ?? null
+			to: store.state.shown?.found ?? null,
+			of: pair.matches()
 		};
 		store.dispatch({
 			type: "edit",
@@ -8353,7 +8448,7 @@ function makeFromPair(store, facts, pair) {
 			without,
 			rejected
 		});
-		return [isOfBlock ? saidOf$1(store.state, given) : "", lacking].filter((part) => part !== "").join(" ");
+		return [isOfBlock && given?.of === pair.matches() ? saidOf$1(store.state, given) : "", lacking].filter((part) => part !== "").join(" ");
 	};
 	return {
 		buttons: [reject, add],
@@ -8407,11 +8502,7 @@ function mountBack(store, facts, modes, pair, takeMasks) {
 		open.hidden = offered === null;
 		masks.hidden = offered !== null || othersOf(store, pair).length === 0;
 		open.disabled = masks.disabled = isBusy(store.state);
-		if (line.contains(held)) passFocus(held, [
-			...matches.buttons,
-			masks,
-			back
-		]);
+		if (line.contains(held)) passFocus(held, [back]);
 	};
 	store.watch([
 		"opened",
@@ -9281,7 +9372,11 @@ var COARSE = 1;
 function measuringKeys(view) {
 	const { measuring } = view;
 	const drafts = () => measuring.draft !== null;
-	const lacksPoint = () => drafts() || view.seen.store.state.selection.chosen !== null ? "" : say("no-point-is-chosen");
+	const lacksPoint = () => drafts() || measuring.canBegin() ? "" : say("no-point-is-chosen");
+	const lacksPlace = () => {
+		const pane = view.seen.active();
+		return drafts() && (pane === null || measuring.placeIn(pane) === null) ? say("nothing-is-measured") : lacksPoint();
+	};
 	const shown = (act) => (shift) => {
 		act(shift);
 		view.opening.showDraft();
@@ -9319,7 +9414,7 @@ function measuringKeys(view) {
 		{
 			keys: ["f"],
 			does: say("matches-the-point-in-the"),
-			lacks: lacksPoint,
+			lacks: lacksPlace,
 			run: shown(() => view.match())
 		},
 		{
@@ -9573,6 +9668,12 @@ var Measuring = class {
 		});
 		this.set(begun(of));
 	}
+	canBegin() {
+		const { selection, shown } = this.store.state;
+		if (selection.chosen?.kind === "given") return true;
+		const [point] = pointsOf(selection.chosen);
+		return shown !== null && point !== void 0 && isMeasurable(shown.view, point);
+	}
 	placeIn(pane) {
 		return this.draft?.places.get(pane.image)?.at ?? this.measured(pane.image) ?? this.expected(pane);
 	}
@@ -9816,7 +9917,7 @@ function followed(leader, { x, y }, pane, own) {
 // www/block/view/images/observations.ts
 var STYLES$1 = [
 	ACCEPTED,
-	REJECTED,
+	REJECTED$1,
 	REJECTED_BY_HAND,
 	MEASURED
 ];
@@ -10339,7 +10440,8 @@ var ImagesView = class {
 		const measures = declare({
 			where: say("images-of-a-block-measuring"),
 			host,
-			list: measuringKeys(this)
+			list: measuringKeys(this),
+			lacks: say("nothing-is-measured")
 		});
 		listen(host, {
 			at: (x, y) => paneAt(this.seen.panes(), x, y)?.image ?? null,
@@ -10532,7 +10634,7 @@ var LINK_STYLES = {
 		name: say("link-use", { use: "check" })
 	},
 	rejected: {
-		...REJECTED,
+		...REJECTED$1,
 		name: say("link-use", { use: "rejected" })
 	}
 };
@@ -10662,6 +10764,7 @@ function drawRing(context, { points }, link, t, chosen) {
 // www/block/view/orthophoto/tiles.ts
 var MOST_TILES = 400;
 var AT_ONCE = 2;
+var OVER_PX = .5;
 var OrthophotoTiles = class {
 	make;
 	arrived;
@@ -10695,13 +10798,21 @@ var OrthophotoTiles = class {
 			const { a, b, c, d, e, f } = lies.cells === null ? toCanvas : after(ofMap, affineOfPart(lies, info, partOf(tile, info)));
 			context.save();
 			context.transform(a, b, c, d, e, f);
-			this.paintTile(context, tile, coarsest, info);
+			const over = lies.cells === null ? 0 : OVER_PX / (scaleOf({
+				a,
+				b,
+				c,
+				d,
+				e,
+				f
+			}) * ratio);
+			this.paintTile(context, tile, coarsest, info, over);
 			context.restore();
 		}
 		context.restore();
 		this.ask(missing, seen);
 	}
-	paintTile(context, { level, column, row }, coarsest, { width, height }) {
+	paintTile(context, { level, column, row }, coarsest, { width, height }, over) {
 		const side = 256 * 2 ** level;
 		const [x, y] = [column * side, row * side];
 		for (let up = 0; level + up <= coarsest; up++) {
@@ -10718,7 +10829,7 @@ var OrthophotoTiles = class {
 			const [left, top] = [x / step % 256, y / step % 256];
 			const across = Math.min(256 / 2 ** up, bitmap.width - left, Math.ceil((width - x) / step));
 			const down = Math.min(256 / 2 ** up, bitmap.height - top, Math.ceil((height - y) / step));
-			context.drawImage(bitmap, left, top, across, down, x, y, across * step, down * step);
+			context.drawImage(bitmap, left, top, across, down, x - over, y - over, across * step + 2 * over, down * step + 2 * over);
 			return;
 		}
 	}
@@ -10876,7 +10987,7 @@ var ENTRIES = [
 	},
 	{
 		text: say("rejected-2"),
-		mark: () => swatch(REJECTED),
+		mark: () => swatch(REJECTED$1),
 		isDrawn: hasPoints
 	},
 	{
@@ -11190,6 +11301,7 @@ function toolsOf$2(host, store, view, looking) {
 		const images = pairOf(store);
 		if (images !== null) looking.open(images);
 	});
+	declareLack([pair], () => pairOf(store) === null ? say("needs-two-shown") : "");
 	pair.title = say("match-the-two-images-that");
 	const light = makeLight("images-", host, set);
 	const more = h("div", {
@@ -11302,7 +11414,8 @@ var Chart = class {
 		const ofChoice = declare({
 			where: WHERE[name] ?? "",
 			host,
-			list: this.choiceKeys()
+			list: this.choiceKeys(),
+			lacks: say("no-pair-is-chosen")
 		});
 		listen(host, {
 			at: () => this.view(),
@@ -12527,6 +12640,7 @@ var BlockMap = class extends Chart {
 		this.keys = declare({
 			where: say("map"),
 			host,
+			lacks: say("no-pair-is-chosen"),
 			list: [
 				{
 					keys: ["n"],
@@ -12894,6 +13008,7 @@ function toolsOf$1(store, map, mosaic) {
 		["orthophoto", toggle(say("orthophoto"), "map-orthophoto", say("the-orthophoto-that-is-given"), (orthophoto) => map.show({ orthophoto }))],
 		["lasso", toggle(say("lasso"), "map-lasso", say("shift-and-a-drag-chooses"), (lasso) => map.show({ lasso }))]
 	];
+	declareLack(switches.flatMap(([name, press]) => name === "orthophoto" ? press : []), () => lackOfOrthophoto(store.state));
 	map.watch(() => {
 		const { shows } = map;
 		select.value = shows.colouring;
@@ -13891,7 +14006,7 @@ var SYSTEM$1 = "surveyed";
 var VERDICTS$1 = {
 	placed: ACCEPTED.colour,
 	weak: "#ffb000",
-	not_placed: REJECTED.colour
+	not_placed: REJECTED$1.colour
 };
 var OrthophotoPlan = class extends LinkPicture {
 	places;
@@ -14396,6 +14511,7 @@ function toolsOf(store, engine, plan, residuals) {
 function handsOf(store, hands) {
 	const reject = button(say("reject-link"), "link-reject", () => hands.use("reject"), say("leaves-the-chosen-link-out"));
 	const restore = button(say("use-link"), "link-restore", () => hands.use("restore"), say("lets-the-chosen-link-take"));
+	declareLack([reject, restore], () => store.state.placing.chosen.link === null ? say("no-link-is-chosen") : "");
 	const add = toggle(say("add-link"), "link-add", say("measures-a-link-by-hand"), () => hands.measure());
 	const accept = button(say("accept"), "link-accept", () => hands.accept(), say("takes-the-link-that-is"));
 	const undo = button(say("undo"), "link-undo", () => hands.go(-1));
@@ -14510,6 +14626,11 @@ function filmFields(store, files, measureMarks) {
 	const remove = button(say("remove"), "block-film-remove", () => taken.clear());
 	remove.setAttribute("aria-label", say("remove-2", { title: say("scanned-film") }));
 	const frames = button(say("make-frames"), "block-film-frames", () => void files.actions.frames());
+	declareLack([measure], () => lackOfImages(store.state));
+	declareLack([frames], () => {
+		const { film } = store.state.placing;
+		return film.camera === null || film.marks.length === 0 ? say("needs-marked-scans") : "";
+	});
 	const cameraName = h("p", {
 		class: "note",
 		testid: "block-film-camera-name"
@@ -14574,6 +14695,7 @@ function mountPlacingSettings(host, store, files, measureMarks) {
 		multiple: true,
 		accept: ".tif,.tiff,.asc,.txt,.tfw,.wld,.prj,image/tiff"
 	}, (given) => void files.takeGround(given, true));
+	declareLack([heights], () => lackOfOrthophoto(store.state));
 	const remove = button(say("remove"), "block-orthophoto-remove", () => store.dispatch({
 		type: "orthophoto",
 		orthophoto: null
@@ -14799,12 +14921,11 @@ function placedTable(host, store) {
 		}
 	});
 	const columns = remember((shown, unit) => placedColumns(shown, (one) => verdictText(one, store.state), unit));
-	const draw = () => {
-		if (isHidden(host)) return;
+	const draw = whenInSight(host, () => {
 		rows = placedFiles(store.state);
 		table.show(rows.length, columns(rows, unitOfOrthophoto(store.state.placing.orthophoto)), void 0, filter);
 		table.reveal(rows.findIndex(({ file }) => file.id === store.state.placing.chosen.image));
-	};
+	});
 	store.watch((s) => [
 		s.placing.placed,
 		s.files,
@@ -14843,13 +14964,12 @@ function linksTable(host, store) {
 		}
 	});
 	const columns = remember(linkColumns);
-	const draw = () => {
-		if (isHidden(host)) return;
+	const draw = whenInSight(host, () => {
 		const placed = chosenPlaced(store.state);
 		const placement = placed?.result?.placement ?? null;
 		table.show(placement?.links.count ?? 0, placed === null || placement === null ? [] : columns(placement, placed.steps, placed.done, unitOfOrthophoto(store.state.placing.orthophoto)), void 0, filter);
 		table.reveal(store.state.placing.chosen.link ?? -1);
-	};
+	});
 	store.watch((s) => [
 		s.placing.placed,
 		s.placing.chosen,
@@ -15712,6 +15832,7 @@ function plotsView(facts) {
 			};
 			const picture = button("PNG", "plot-png", () => void savePicture(plot, saved), say("saves-the-plot-as-it"));
 			const values = button("CSV", "plot-csv", () => void saveValues(plot, saved), say("saves-the-values-of-the"));
+			declareLack([picture, values], () => picture.disabled ? say("no-plot-is-shown") : "");
 			const show = () => {
 				const data = plot.data();
 				const text = data === null ? "" : plotText(data, (store.state.shown?.view.oriented ?? 0) > 0);
@@ -16527,7 +16648,7 @@ function mountStage(host, store, looking, facts, views, dock, invitation) {
 		role: "toolbar",
 		aria: { label: say("view-of-the-block") }
 	}, switched, drawerButton("table", say("table-2"), "block-table", dock), zoom, tools), line, shelf, said(store, looking, facts), dock, keys);
-	const lacksBlock = () => store.state.shown === null ? say("needs-a-block") : "";
+	const lacksBlock = () => lackOfBlock(store.state);
 	declareLack([line], lacksBlock);
 	const make = ({ name, title, mount }, isShown) => {
 		if (mounted.has(name)) return;
@@ -16542,7 +16663,7 @@ function mountStage(host, store, looking, facts, views, dock, invitation) {
 				view: name
 			})
 		});
-		if (name !== "orthophoto") declareLack(parts, lacksBlock);
+		declareLack(parts, name === "orthophoto" ? () => lackOfOrthophoto(store.state) : lacksBlock);
 		shelf.append(made.element);
 		tools.append(...made.tools);
 		if (made.legend !== void 0) legends.append(made.legend);
@@ -16680,6 +16801,8 @@ function mountBlockStatus(store, actions, details) {
 		else actions.run();
 	});
 	const cancel = button(say("cancel"), "block-cancel", actions.cancel);
+	declareLack([run], () => lackOfImages(store.state));
+	declareLack([cancel], () => cancel.disabled || cancel.hidden ? say("nothing-is-running") : "");
 	const buttons = h("div", { class: "answer-actions" }, progressBar(store), run, cancel, details);
 	const card = h("div", {
 		class: "answer",
@@ -17056,6 +17179,8 @@ async function mountBlock(catalogue, { modes, openPair, pair, scans: scansOf, op
 		role: "group",
 		aria: { label: say("export-of-the-block") }
 	});
+	declareLack([actions], () => lackOfImages(store.state));
+	declareLack([exports], () => lackOfBlock(store.state));
 	const settings = tabbed("settings", say("settings"), [
 		["block-settings", say("settings")],
 		["block-orthophoto", say("orthophoto")],
@@ -17416,22 +17541,27 @@ async function maskFor(engine, { state }, image) {
 		}
 	};
 }
-function masksOf({ images, masks }) {
+function masksOf({ images, masks, maskSteps }) {
 	return SIDES.flatMap((side) => {
-		const [image, source] = [images[side], masks[side]?.source];
-		return image === null || source?.kind !== "file" ? [] : [{
+		const [image, mask] = [images[side], masks[side]];
+		if (image === null) return [];
+		if (mask === null) return maskSteps.edits.some((step) => step.side === side) ? [{
 			image: image.name,
-			file: source.file
-		}];
+			file: null
+		}] : [];
+		return mask.source.kind === "file" ? [{
+			image: image.name,
+			file: mask.source.file
+		}] : [];
 	});
 }
 function matchesOf(state) {
 	const standing = standingOf$1(state.history.edits, state.history.done);
 	if (isNothing(standing)) return null;
 	const { edited } = shownPair(state);
-	return edited === null ? null : byHandOf(edited, standing);
+	return edited === null ? null : byHandOf(edited, standing, placesByHand(state.history.edits));
 }
-var byHandOf = remember((edited, standing) => {
+var byHandOf = remember((edited, standing, places) => {
 	const rejected = [];
 	edited.match.rules.forEach((rule, left) => {
 		if (rule !== BY_HAND$3) return;
@@ -17442,9 +17572,10 @@ var byHandOf = remember((edited, standing) => {
 	return {
 		rejected,
 		used: edited.match.matches,
-		measured: measured.map(([, { target, at }]) => ({
+		measured: measured.map(([key, { target, at }]) => ({
 			at,
-			of: typeof target === "number" ? null : target
+			of: typeof target === "number" ? null : target,
+			had: places.get(key) ?? []
 		}))
 	};
 });
@@ -17495,7 +17626,7 @@ function scanOn({ state: { placing, files } }, state, side) {
 	const scan = scansOf(placing.film, files).find(({ name }) => name === image?.name);
 	if (scan === void 0 || image?.source.kind !== "file" || image.source.file.size !== scan.file.size) return null;
 	const photo = state.photos[side];
-	const marks = wholeMarks(photo).map((mark) => {
+	const all = photo.fiducials.map((mark) => {
 		const [col, row] = placeOfMark(photo, mark) ?? [NaN, NaN];
 		return {
 			...mark,
@@ -17505,10 +17636,11 @@ function scanOn({ state: { placing, files } }, state, side) {
 	});
 	const stage = side === "left" ? "openLeft" : "openRight";
 	const info = isCurrent(state, stage) ? state.results[stage]?.value.info : void 0;
-	const withoutMm = photo.fiducials.filter((mark) => isMeasured(mark) && !isWhole(mark)).length;
+	const withoutMm = all.filter((mark) => isMeasured(mark) && !isWhole(mark)).length;
 	return {
 		image: scan.name,
-		marks,
+		all,
+		marks: all.filter(isWhole),
 		withoutMm,
 		size: info === void 0 ? null : [info.width, info.height]
 	};
@@ -17517,7 +17649,12 @@ function openScans(block, modes, pair, { putAside, stays }, given) {
 	return doHere(stays, async (here) => {
 		const [left, right] = given;
 		if (left === void 0) return;
-		const { film } = block.state.placing;
+		const shown = SIDES.flatMap((side) => scanOn(block, pair.store.state, side) ?? []);
+		const film = withBegun(block.state.placing.film, shown.map(({ image }) => image), begunIn(block.state.placing.film, shown));
+		if (film !== block.state.placing.film) block.dispatch({
+			type: "film",
+			film
+		});
 		if (hasNothingElse(block, pair.store.state)) isAsGiven(pair.store.state);
 		const scans = {
 			left,
@@ -17536,7 +17673,7 @@ function hasNothingElse(block, state) {
 	const isThere = (side) => {
 		if (state.images[side] === null) return true;
 		const scan = scanOn(block, state, side);
-		return scan !== null && isInBlock(placing.film, scan);
+		return scan !== null && (isInBlock(placing.film, scan) || placing.film.begun.some(({ image }) => image === scan.image));
 	};
 	const hasMasks = SIDES.every((side) => state.masks[side] === null || state.masks[side].source.kind === "file");
 	return SIDES.every(isThere) && hasMasks && otherMasks(options.masks, masksOf(state)).length === 0;

@@ -131,7 +131,7 @@ var FluentDateTime = class FluentDateTime extends FluentType {
 };
 // node_modules/@fluent/bundle/esm/resolver.js
 var MAX_PLACEABLES = 100;
-var FSI = "⁨";
+var FSI$1 = "⁨";
 var PDI$1 = "⁩";
 function match(scope, selector, key) {
 	if (key === selector) return true;
@@ -269,7 +269,7 @@ function resolveComplexPattern(scope, ptn) {
 			scope.dirty.delete(ptn);
 			throw new RangeError(`Too many placeables expanded: ${scope.placeables}, max allowed is ${MAX_PLACEABLES}`);
 		}
-		if (useIsolating) result.push(FSI);
+		if (useIsolating) result.push(FSI$1);
 		result.push(resolveExpression(scope, elem).toString(scope));
 		if (useIsolating) result.push(PDI$1);
 	}
@@ -814,11 +814,35 @@ var [LRI, RLI, PDI] = [
 	"⁧",
 	"⁩"
 ];
+var FSI = "⁨";
+var ISOLATE = /[\u2066-\u2068]/u;
+var LETTER = /\p{L}/u;
+var FROM_RIGHT = /\p{Script=Arabic}/u;
 var NUMBER = /\u2068([^\u2066-\u2069]+)\u2069(°?)/u.source;
 var WITH_ERROR = new RegExp(`${NUMBER}([ \\u00a0]±[ \\u00a0])${NUMBER}`, "gu");
 function asClauses(text, isFromRight = IS_FROM_RIGHT) {
 	if (!isFromRight) return text;
-	return text.replaceAll(WITH_ERROR, `${LRI}$1$2$3$4$5${PDI}`).replaceAll(`${PDI}°`, `°${PDI}`).replaceAll(/\u2068(?=[\u2067\u2068]*[\s،؛,;:·(])/gu, RLI);
+	return ofParts(text.replaceAll(WITH_ERROR, `${LRI}$1$2$3$4$5${PDI}`).replaceAll(`${PDI}°`, `°${PDI}`).replaceAll(/\u2068(?=[\u2067\u2068]*[\s،؛,;:·(])/gu, RLI));
+}
+function ofParts(text) {
+	const letters = [...text];
+	const open = [];
+	letters.forEach((letter, at) => {
+		const part = open.at(-1);
+		if (ISOLATE.test(letter)) open.push({
+			at,
+			isOwn: false,
+			hasWords: false
+		});
+		else if (letter === PDI && part !== void 0) {
+			open.pop();
+			if (letters[part.at] === FSI && !part.isOwn && part.hasWords) letters[part.at] = RLI;
+		} else if (part !== void 0 && LETTER.test(letter)) {
+			part.isOwn = true;
+			if (FROM_RIGHT.test(letter)) for (const around of open) around.hasWords = true;
+		}
+	});
+	return letters.join("");
 }
 function asSentence(text) {
 	return IS_FROM_RIGHT ? `${RLI}${text}${PDI}` : text;

@@ -1743,6 +1743,15 @@ function reveal$1(element) {
 	const { top } = element.getBoundingClientRect();
 	if (top < 0 || top > .8 * window.innerHeight) element.scrollIntoView({ block: "start" });
 }
+// www/shared/panel/lack.ts
+var lacks = new WeakMap();
+function declareLack(elements, lack) {
+	for (const element of elements) {
+		const former = lacks.get(element);
+		lacks.set(element, former === void 0 ? lack : () => lack() || former());
+	}
+}
+var ownLack = (element) => lacks.get(element)?.() ?? "";
 // www/shared/panel/tabs.ts
 function tabbed(place, label, tabs) {
 	const buttons = tabs.map(([id, text]) => h("button", {
@@ -1801,12 +1810,8 @@ function showTab(id) {
 }
 // www/shared/panel/reach.ts
 var places = new WeakMap();
-var lacks = new WeakMap();
 function declarePlace(elements, place) {
 	for (const element of elements) places.set(element, place);
-}
-function declareLack(elements, lack) {
-	for (const element of elements) lacks.set(element, lack);
 }
 function around(element) {
 	const all = [];
@@ -1830,7 +1835,7 @@ function partOf(element) {
 	return around(element).reverse().flatMap((one) => places.get(one) ?? [])[0] ?? null;
 }
 function lackOf(element) {
-	return around(element).reverse().map((one) => lacks.get(one)?.() ?? "").find((text) => text !== "") ?? "";
+	return around(element).reverse().map((one) => ownLack(one)).find((text) => text !== "") ?? "";
 }
 function reveal(element) {
 	for (const one of around(element).reverse()) {
@@ -5088,6 +5093,7 @@ function makeLight(prefix, host, set) {
 		passFocus(reset, [brightness.input]);
 	});
 	reset.title = say("light-reset-title");
+	declareLack([reset], () => reset.disabled ? say("nothing-is-changed") : "");
 	return {
 		elements: [
 			brightness.element,
@@ -5839,7 +5845,7 @@ function offer(element, texts, made, off) {
 		more: [...new Set(more)].filter((text) => text !== "").join(" · ")
 	};
 }
-var isNamed = (button) => button.closest("dialog, table, .control, .history, .facts") === null && !button.matches(UNNAMED) && (reachable(button) || button.closest("[role=\"toolbar\"]") !== null);
+var isNamed = (button) => button.closest("dialog, table, .control-head, .history, .facts") === null && !button.matches(UNNAMED) && (reachable(button) || button.closest("[role=\"toolbar\"]") !== null);
 function ofButtons(buttons) {
 	const isEmpty = (button) => button.closest("[role=\"tabpanel\"]") !== null && lackOf(button) !== "";
 	const isOff = (button) => button.disabled || !reachable(button) || isEmpty(button);
@@ -5850,6 +5856,7 @@ function ofButtons(buttons) {
 	})).sort((a, b) => a.off - b.off || a.away - b.away).map(({ button }) => button)).map((button) => {
 		const texts = [
 			groupOf(twinOf(button) ?? button),
+			legendOf(button),
 			tabOf(button),
 			kindOf$1(button),
 			button.title
@@ -5873,7 +5880,7 @@ function ofCommands(buttons) {
 		return of.list.filter(({ keys }) => !keys.some((key) => taken.has(key))).map((command) => ofCommand(of, command));
 	});
 }
-function ofCommand({ where, host }, command) {
+function ofCommand({ where, host, lacks: otherwise = "" }, command) {
 	const { keys, does, can, run, lacks } = command;
 	const possible = () => can?.() !== false;
 	const lack = lackOf(host) || (lacks?.() ?? "");
@@ -5889,16 +5896,15 @@ function ofCommand({ where, host }, command) {
 		name: sentenceOf(does),
 		keys,
 		run: go
-	}, (!possible() || lack !== "") && lack);
+	}, (!possible() || lack !== "") && (lack || otherwise));
 }
 function ofSettings() {
 	return [...document.querySelectorAll(".control label")].filter(reachable).map((label) => {
-		const group = label.closest("fieldset, details")?.querySelector("legend, summary")?.firstChild?.textContent ?? "";
 		const run = () => {
 			reveal(label);
 			label.control?.focus();
 		};
-		return offer(label, [say("setting"), group], {
+		return offer(label, [say("setting"), legendOf(label)], {
 			name: label.textContent,
 			keys: [],
 			run
@@ -5928,6 +5934,7 @@ function ofLists() {
 		}));
 	});
 }
+var legendOf = (made) => made.closest("fieldset, details")?.querySelector("legend, summary")?.firstChild?.textContent ?? "";
 var UNNAMED = ".close, .menu-button, #export-menu";
 function nameOf(made) {
 	const label = made.getAttribute("aria-label");
@@ -5963,6 +5970,14 @@ function tabOf(made) {
 var kindOf$1 = (made) => made.getAttribute("role") === "tab" ? say("tab") : "";
 var sentenceOf = (does) => does.charAt(0).toUpperCase() + does.slice(1);
 var groupOf = (made) => made.parentElement?.closest("[aria-label]")?.getAttribute("aria-label") ?? "";
+// www/shared/text/folded.ts
+var ALIKE = {
+	ى: "ي",
+	ة: "ه"
+};
+function folded(text) {
+	return text.normalize("NFD").replaceAll(/[\p{M}\u0640]/gu, "").replaceAll(/[ىة]/gu, (letter) => ALIKE[letter] ?? letter).toLowerCase();
+}
 // www/shared/panel/actions.ts
 var late = new Set();
 function beforeSearch(make) {
@@ -6085,9 +6100,9 @@ var Search = class {
 		if (again > 0) this.mark(again);
 	}
 	narrow() {
-		const words = this.input.value.toLowerCase().split(/\s+/u);
-		const text = ({ name, more }) => `${name} ${more}`.toLowerCase();
-		const rank = ({ name, disabled }) => (words.every((word) => name.toLowerCase().includes(word)) ? 0 : 1) + (disabled === true ? 2 : 0);
+		const words = folded(this.input.value).split(/\s+/u);
+		const text = ({ name, more }) => folded(`${name} ${more}`);
+		const rank = ({ name, disabled }) => (words.every((word) => folded(name).includes(word)) ? 0 : 1) + (disabled === true ? 2 : 0);
 		this.found = this.all.filter((action) => words.every((word) => text(action).includes(word))).sort((a, b) => rank(a) - rank(b));
 		const rows = this.found.map(({ name, more, keys, disabled = false }, place) => {
 			const row = h("li", {
@@ -6303,6 +6318,16 @@ function after(edits) {
 		placed
 	};
 }
+var placesByHand = remember((edits) => {
+	const places = new Map();
+	for (const edit of edits) {
+		if (edit.kind !== "add" && edit.kind !== "move") continue;
+		const [target, place] = edit.kind === "add" ? [edit.id, edit.at] : [edit.of, edit.to];
+		const key = keyOfTarget(target);
+		places.set(key, [...places.get(key) ?? [], place]);
+	}
+	return places;
+});
 function isNothing({ rejected, placed }) {
 	return rejected.size === 0 && placed.size === 0;
 }
@@ -10658,6 +10683,7 @@ function mountCamera(host, store, loadFile) {
 		type: "camera",
 		camera: null
 	}));
+	declareLack([clear], () => store.state.camera === null ? say("no-camera-is-given") : "");
 	host.append(h("fieldset", { class: "group" }, h("legend", {}, say("camera")), source, calibrationGroup(store), sharedCamera(store, [inPixels, ...fields]), h("div", { class: "pairs" }, inPixels.element, ...fields.map(({ element }) => element)), inPixels.note, h("div", { class: "buttons" }, load, clear)), offsetGroup(store));
 	store.watch(["camera"], ([camera]) => {
 		fields.forEach((field, i) => {
@@ -11481,6 +11507,7 @@ function mountMarking(bar, store, marking) {
 		role: "group",
 		aria: { label: say("fiducial-marks-measured") }
 	}, text, former, next, clear, undo, redo, end);
+	declareLack([buttons], () => store.state.tool === "fiducials" ? "" : say("nothing-is-measured"));
 	bar.append(buttons);
 	undoKeys(() => byId("view").offsetParent !== null && marksHaveKeys(store.state), (by) => marking.step(by));
 	store.watch((s) => [
@@ -11570,6 +11597,10 @@ var UNKNOWNS = [
 function several(edit) {
 	return edit !== null && edit.of.length > 1 ? ` ${count(edit.of.length)}` : "";
 }
+function sayLacks(store, reject, restore) {
+	declareLack([reject], () => lackOfEdit(store.state, "reject"));
+	declareLack([restore], () => lackOfEdit(store.state, "restore"));
+}
 function mountEdits(host, store, editing, follow) {
 	const reject = button(say("reject"), "reject", () => editing.edit("reject"), say("take-the-chosen-matches-out"));
 	const restore = button(say("restore"), "restore", () => editing.edit("restore"), say("use-the-chosen-matches-again"));
@@ -11579,6 +11610,8 @@ function mountEdits(host, store, editing, follow) {
 	}, say("measure-the-selected-match-anew"));
 	const undo = button(say("undo"), "undo", () => editing.step(-1), say("take-back-the-last-edit"));
 	const redo = button(say("redo"), "redo", () => editing.step(1), say("make-the-edit-again-that"));
+	sayLacks(store, reject, restore);
+	declareLack([move], () => lackOfSelected(store.state));
 	hasKeys(undo, UNDO_KEYS);
 	hasKeys(redo, REDO_KEYS);
 	const hint = h("p", {
@@ -11679,7 +11712,7 @@ function mountEditTools(host, bar, store, editing) {
 	const reject = button(say("reject"), "tool-reject", () => editing.edit("reject"), say("take-the-chosen-matches-out"));
 	const restore = button(say("restore"), "tool-restore", () => editing.edit("restore"), say("use-the-chosen-matches-again"));
 	declareLack([choose], () => lackOfMatches(store.state));
-	for (const [made, kind] of [[reject, "reject"], [restore, "restore"]]) declareLack([made], () => lackOfEdit(store.state, kind));
+	sayLacks(store, reject, restore);
 	host.append(h("span", { class: "divider" }), choose, undo, redo);
 	bar.append(reject, restore);
 	store.watch((s) => [
@@ -11805,6 +11838,8 @@ function photo(side, store, loadFile, marking, measure) {
 		passFocus(held, [asOther, inPicture]);
 	});
 	const clear = button(say("clear"), `clear-fiducials-${side}`, () => marking.removeAll(side));
+	declareLack([inPicture], () => store.state.images[side] === null ? say("needs-a-photo") : "");
+	declareLack([clear], () => store.state.photos[side].fiducials.length === 0 ? say("nothing-is-measured") : "");
 	const undo = button(say("undo-sign"), `undo-fiducials-${side}`, () => marking.step(-1));
 	const redo = button(say("redo-sign"), `redo-fiducials-${side}`, () => marking.step(1));
 	let shown = null;
@@ -12229,6 +12264,8 @@ function mountHeader({ store, engine, view, files, pick, attempt, saving, sample
 	for (const id of ["sample", "sample-first"]) on(id, () => files.takeSample());
 	on("sample-block-first", sampleBlock);
 	mountMenu(byId("export-menu"), byId("exports"));
+	declareLack([byId("swap")], () => SIDES.every((side) => store.state.images[side] === null) ? say("needs-two-photos") : "");
+	declareLack([byId("exports")], () => lackOfMatches(store.state));
 	on("swap", () => swap(store, engine));
 	onExport("export-csv", () => exportMatches(store.state, engine));
 	onExport("export-json", () => exportEverything(store.state));
@@ -12493,6 +12530,7 @@ function mountMasking(host, bar, store, masking, { paint, step }) {
 		role: "group",
 		aria: { label: say("masks-of-the-pictures") }
 	}, text, mask, unmask, undo, redo, keep, end);
+	declareLack([buttons], () => store.state.tool === "mask" ? "" : say("nothing-is-outlined"));
 	host.append(tool);
 	undoKeys(() => byId("view").offsetParent !== null && store.state.tool === "mask" && !marksHaveKeys(store.state), step);
 	bar.append(buttons);
@@ -13963,6 +14001,7 @@ function mountStatus(store, actions) {
 	const show = answerCard(byId("answer"), byId("status"), byId("answer-actions"), "");
 	const bar = byId("progress");
 	const cancel = byId("cancel");
+	declareLack([cancel], () => cancel.disabled || cancel.hidden ? say("nothing-is-running") : "");
 	const run = byId("run");
 	cancel.addEventListener("click", actions.cancel);
 	run.addEventListener("click", actions.run);
@@ -14610,6 +14649,7 @@ var Masking = class {
 	isTracing = false;
 	painting = Promise.resolve();
 	going = null;
+	sources = new WeakMap();
 	constructor(store, painter) {
 		this.store = store;
 		this.painter = painter;
@@ -14725,7 +14765,15 @@ var Masking = class {
 		const present = state.masks[side];
 		if (more?.length === 0) return present;
 		if (then.file === null && then.areas.length === 0) return null;
-		return await (more === null ? this.painter(state, side, then.file, then.areas) : this.painter(state, side, present?.grey ?? null, more)) ?? "cancelled";
+		const mask = await (more === null ? this.painter(state, side, then.file, then.areas) : this.painter(state, side, present?.grey ?? null, more));
+		if (mask === null) return "cancelled";
+		const last = steps.edits.slice(0, steps.done).findLast((step) => step.side === side);
+		const source = (last && this.sources.get(last)) ?? mask.source;
+		if (last !== void 0) this.sources.set(last, source);
+		return {
+			...mask,
+			source
+		};
 	}
 	async painted(imageId, area) {
 		const { corners } = area;
@@ -14757,12 +14805,14 @@ var Masking = class {
 			this.outlinedAgain(imageId, corners);
 			return;
 		}
+		const step = {
+			side: now,
+			...area
+		};
+		this.sources.set(step, mask.source);
 		this.store.dispatch({
 			type: "painted",
-			step: {
-				side: now,
-				...area
-			},
+			step,
 			mask
 		});
 		tell("info", say("masks-of-the-image", {
@@ -15327,17 +15377,20 @@ function mountInput(view, store, navigator, { editing, masking, marking, paint }
 	const measuring = declare({
 		where: say("pictures-of-a-pair-while"),
 		host,
-		list: measuringKeys(store, navigator, editing)
+		list: measuringKeys(store, navigator, editing),
+		lacks: say("nothing-is-measured")
 	});
 	const masks = declare({
 		where: say("pictures-of-a-pair-while-masking"),
 		host,
-		list: maskingKeys(store, navigator, masking, paint)
+		list: maskingKeys(store, navigator, masking, paint),
+		lacks: say("nothing-is-outlined")
 	});
 	const marks = declare({
 		where: say("pictures-of-a-pair-while-marking"),
 		host,
-		list: markingKeys(store, navigator, marking)
+		list: markingKeys(store, navigator, marking),
+		lacks: say("nothing-is-measured")
 	});
 	listen(host, {
 		at: (x, y) => {
@@ -18187,4 +18240,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, BY_HAND, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, OWN_LIGHT, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, declareLack, declarePlace, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior$1 as interior, isCurrent, isHidden, isMeasured$1 as isMeasured, isMode, isNothing, isOpen, isWhole$1 as isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf, startProgram, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, wholeMarks, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, BY_HAND, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, OWN_LIGHT, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, declareLack, declarePlace, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior$1 as interior, isCurrent, isHidden, isMeasured$1 as isMeasured, isMode, isNothing, isOpen, isWhole$1 as isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placesByHand, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf, startProgram, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, whenInSight, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

@@ -2212,11 +2212,35 @@
 		"⁧",
 		"⁩"
 	];
+	var FSI = "⁨";
+	var ISOLATE = /[\u2066-\u2068]/u;
+	var LETTER = /\p{L}/u;
+	var FROM_RIGHT = /\p{Script=Arabic}/u;
 	var NUMBER = /\u2068([^\u2066-\u2069]+)\u2069(°?)/u.source;
 	var WITH_ERROR = new RegExp(`${NUMBER}([ \\u00a0]±[ \\u00a0])${NUMBER}`, "gu");
 	function asClauses(text, isFromRight = IS_FROM_RIGHT) {
 		if (!isFromRight) return text;
-		return text.replaceAll(WITH_ERROR, `${LRI}$1$2$3$4$5${PDI}`).replaceAll(`${PDI}°`, `°${PDI}`).replaceAll(/\u2068(?=[\u2067\u2068]*[\s،؛,;:·(])/gu, RLI);
+		return ofParts(text.replaceAll(WITH_ERROR, `${LRI}$1$2$3$4$5${PDI}`).replaceAll(`${PDI}°`, `°${PDI}`).replaceAll(/\u2068(?=[\u2067\u2068]*[\s،؛,;:·(])/gu, RLI));
+	}
+	function ofParts(text) {
+		const letters = [...text];
+		const open = [];
+		letters.forEach((letter, at) => {
+			const part = open.at(-1);
+			if (ISOLATE.test(letter)) open.push({
+				at,
+				isOwn: false,
+				hasWords: false
+			});
+			else if (letter === PDI && part !== void 0) {
+				open.pop();
+				if (letters[part.at] === FSI && !part.isOwn && part.hasWords) letters[part.at] = RLI;
+			} else if (part !== void 0 && LETTER.test(letter)) {
+				part.isOwn = true;
+				if (FROM_RIGHT.test(letter)) for (const around of open) around.hasWords = true;
+			}
+		});
+		return letters.join("");
 	}
 	// www/shared/text/format.ts
 	function count(value) {
