@@ -30,8 +30,6 @@ const NOISE: f64 = 4.0;
 const OFF_M: f64 = 300.0;
 /// Errors of centres are to be at most so many pixels of the orthophoto, in height times the factor that their covariance says.
 const ASKED_PX: f64 = 0.5;
-/// Of all coordinates of centres this share at least is.
-const LEAST_WITHIN: f64 = 0.9;
 /// What the mean square of errors by their standard errors is, and the normal deviate of the chance that so few blocks give more, or less.
 const HELD: [f64; 2] = [0.8, 1.3];
 const BY_CHANCE: f64 = 3.09;
@@ -247,8 +245,7 @@ impl Sums {
         self.within.map(|within| within as f64 / self.images.max(1) as f64)
     }
 
-    /// Whether errors are as large as their standard errors say, within what chance does to so few blocks (the images of one err together), and centres are as
-    /// good as is asked.
+    /// Whether errors are as large as their standard errors say, within what chance does to so few blocks: the images of one err together.
     ///
     /// # Source
     /// Wilson & Hilferty 1931 (quantiles of χ²).
@@ -256,7 +253,7 @@ impl Sums {
         let scatter = 2.0 / (9.0 * self.linked.max(1) as f64);
         let quantile = |deviate: f64| (1.0 - scatter + deviate * scatter.sqrt()).max(0.0).powi(3);
         let held = HELD[0] * quantile(-BY_CHANCE)..=HELD[1] * quantile(BY_CHANCE);
-        self.mean(&self.ratios).iter().all(|mean| held.contains(mean)) && self.shares().iter().all(|share| *share >= LEAST_WITHIN)
+        self.mean(&self.ratios).iter().all(|mean| held.contains(mean))
     }
 
     fn print(&self, name: &str, blocks: u32) {
