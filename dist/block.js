@@ -1,4 +1,4 @@
-import { ACCEPTED, Archive, BY_HAND as BY_HAND$3, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, OWN_LIGHT, PointGrid, REDO_KEYS, REJECTED as REJECTED$1, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine as affine$1, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, declareLack, declarePlace, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior, isCurrent, isHidden, isMeasured, isMode, isNothing, isOpen, isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, maskOf as maskOf$1, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placesByHand, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf as standingOf$1, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, whenInSight, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { ACCEPTED, Archive, BY_HAND as BY_HAND$3, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, OWN_LIGHT, PointGrid, REDO_KEYS, REJECTED as REJECTED$1, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine as affine$1, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, declareLack, declarePlace, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted as fitted$1, fitted$1 as fitted, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior, inverse, isCurrent, isHidden, isMeasured, isMode, isNothing, isOpen, isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, mapped, maskOf as maskOf$1, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placesByHand, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf as standingOf$1, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, whenInSight, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
 import { arrange, asFigure, asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
@@ -1006,158 +1006,6 @@ function unitOf({ origin, surveyed }) {
 }
 function inUnitOf(view, coordinates) {
 	return withUnit(coordinates, unitOf(view));
-}
-// www/block/state/under.ts
-var SAME = {
-	a: 1,
-	b: 0,
-	c: 0,
-	d: 1,
-	e: 0,
-	f: 0
-};
-function affineOf({ origin, by_column: column, by_row: row }) {
-	return {
-		a: column[0],
-		b: column[1],
-		c: row[0],
-		d: row[1],
-		e: origin[0],
-		f: origin[1]
-	};
-}
-function mapped({ a, b, c, d, e, f }, x, y) {
-	return [a * x + c * y + e, b * x + d * y + f];
-}
-function after(outer, inner) {
-	const [a, b] = mapped({
-		...outer,
-		e: 0,
-		f: 0
-	}, inner.a, inner.b);
-	const [c, d] = mapped({
-		...outer,
-		e: 0,
-		f: 0
-	}, inner.c, inner.d);
-	const [e, f] = mapped(outer, inner.e, inner.f);
-	return {
-		a,
-		b,
-		c,
-		d,
-		e,
-		f
-	};
-}
-function inverse({ a, b, c, d, e, f }) {
-	const determinant = a * d - b * c;
-	const turned = {
-		a: d / determinant,
-		b: -b / determinant,
-		c: -c / determinant,
-		d: a / determinant,
-		e: 0,
-		f: 0
-	};
-	const [x, y] = mapped(turned, e, f);
-	return {
-		...turned,
-		e: -x,
-		f: -y
-	};
-}
-function scaleOf({ a, b, c, d }) {
-	return Math.sqrt(Math.abs(a * d - b * c));
-}
-function similarity(from, to) {
-	if (from.length < 2 || from.length !== to.length) return null;
-	const [fx, fy] = middle(from);
-	const [tx, ty] = middle(to);
-	let [along, across, size] = [
-		0,
-		0,
-		0
-	];
-	from.forEach(([x, y], i) => {
-		const [u, v] = [x - fx, y - fy];
-		const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
-		along += u * p + v * q;
-		across += u * q - v * p;
-		size += u * u + v * v;
-	});
-	if (!(size > 0)) return null;
-	const [a, b] = [along / size, across / size];
-	if (!(Math.hypot(a, b) > 0)) return null;
-	const turned = {
-		a,
-		b,
-		c: -b,
-		d: a,
-		e: 0,
-		f: 0
-	};
-	const [x, y] = mapped(turned, fx, fy);
-	return {
-		...turned,
-		e: tx - x,
-		f: ty - y
-	};
-}
-function affine(from, to) {
-	if (from.length < 3 || from.length !== to.length) return similarity(from, to);
-	const [fx, fy] = middle(from);
-	const [tx, ty] = middle(to);
-	let [uu, uv, vv, up, vp, uq, vq] = [
-		0,
-		0,
-		0,
-		0,
-		0,
-		0,
-		0
-	];
-	from.forEach(([x, y], i) => {
-		const [u, v] = [x - fx, y - fy];
-		const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
-		uu += u * u;
-		uv += u * v;
-		vv += v * v;
-		up += u * p;
-		vp += v * p;
-		uq += u * q;
-		vq += v * q;
-	});
-	const determinant = uu * vv - uv * uv;
-	if (!(determinant > ON_A_LINE * uu * vv)) return similarity(from, to);
-	const [a, c] = [(vv * up - uv * vp) / determinant, (uu * vp - uv * up) / determinant];
-	const [b, d] = [(vv * uq - uv * vq) / determinant, (uu * vq - uv * uq) / determinant];
-	if (!(Math.abs(a * d - b * c) > 0)) return similarity(from, to);
-	const turned = {
-		a,
-		b,
-		c,
-		d,
-		e: 0,
-		f: 0
-	};
-	const [x, y] = mapped(turned, fx, fy);
-	return {
-		...turned,
-		e: tx - x,
-		f: ty - y
-	};
-}
-var ON_A_LINE = 1e-9;
-function departure(by, from, to) {
-	return from.reduce((most, [x, y], i) => {
-		const [u, v] = mapped(by, x, y);
-		return Math.max(most, Math.hypot(u - (to[i]?.[0] ?? NaN), v - (to[i]?.[1] ?? NaN)));
-	}, 0);
-}
-function middle(places) {
-	const sum = places.reduce(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
-	return [(sum[0] ?? 0) / places.length, (sum[1] ?? 0) / places.length];
 }
 // www/block/state/result-system.ts
 var APART_M$1 = 500;
@@ -3917,6 +3765,104 @@ function textOf(state) {
 	if (adjusting) return say("adjusting-the-block");
 	if (before === null || shown === null || shown.edits.length === 0) return "";
 	return comparedText(before, figuresOf$3(shown.view));
+}
+// www/block/state/under.ts
+var SAME = {
+	a: 1,
+	b: 0,
+	c: 0,
+	d: 1,
+	e: 0,
+	f: 0
+};
+function affineOf({ origin, by_column: column, by_row: row }) {
+	return {
+		a: column[0],
+		b: column[1],
+		c: row[0],
+		d: row[1],
+		e: origin[0],
+		f: origin[1]
+	};
+}
+function after(outer, inner) {
+	const [a, b] = mapped({
+		...outer,
+		e: 0,
+		f: 0
+	}, inner.a, inner.b);
+	const [c, d] = mapped({
+		...outer,
+		e: 0,
+		f: 0
+	}, inner.c, inner.d);
+	const [e, f] = mapped(outer, inner.e, inner.f);
+	return {
+		a,
+		b,
+		c,
+		d,
+		e,
+		f
+	};
+}
+function scaleOf({ a, b, c, d }) {
+	return Math.sqrt(Math.abs(a * d - b * c));
+}
+function similarity(from, to) {
+	if (from.length < 2 || from.length !== to.length) return null;
+	const [fx, fy] = middle(from);
+	const [tx, ty] = middle(to);
+	let [along, across, size] = [
+		0,
+		0,
+		0
+	];
+	from.forEach(([x, y], i) => {
+		const [u, v] = [x - fx, y - fy];
+		const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
+		along += u * p + v * q;
+		across += u * q - v * p;
+		size += u * u + v * v;
+	});
+	if (!(size > 0)) return null;
+	const [a, b] = [along / size, across / size];
+	if (!(Math.hypot(a, b) > 0)) return null;
+	const turned = {
+		a,
+		b,
+		c: -b,
+		d: a,
+		e: 0,
+		f: 0
+	};
+	const [x, y] = mapped(turned, fx, fy);
+	return {
+		...turned,
+		e: tx - x,
+		f: ty - y
+	};
+}
+function affine(from, to) {
+	const place = (i) => [
+		from[i]?.[0] ?? NaN,
+		from[i]?.[1] ?? NaN,
+		to[i]?.[0] ?? NaN,
+		to[i]?.[1] ?? NaN
+	];
+	const map = from.length < 3 || from.length !== to.length ? null : fitted(from.length, place, ON_A_LINE);
+	return map !== null && Math.abs(map.a * map.d - map.b * map.c) > 0 ? map : similarity(from, to);
+}
+var ON_A_LINE = 1e-9;
+function departure(by, from, to) {
+	return from.reduce((most, [x, y], i) => {
+		const [u, v] = mapped(by, x, y);
+		return Math.max(most, Math.hypot(u - (to[i]?.[0] ?? NaN), v - (to[i]?.[1] ?? NaN)));
+	}, 0);
+}
+function middle(places) {
+	const sum = places.reduce(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
+	return [(sum[0] ?? 0) / places.length, (sum[1] ?? 0) / places.length];
 }
 // www/block/state/between.ts
 var MOST_PIXELS = 3;
@@ -6937,7 +6883,7 @@ function placingFrom(given, placed, catalogue, readFile, open) {
 		height: likeOf(height, 0, "placing.heights.height"),
 		...by === "hand" || by === "block" ? { by } : {}
 	};
-	const options = orNull(kept.options, (value) => fitted(value, catalogue.placing, "placing.options")) ?? catalogue.placing;
+	const options = orNull(kept.options, (value) => fitted$1(value, catalogue.placing, "placing.options")) ?? catalogue.placing;
 	const purpose = PURPOSES$1.find((one) => one === kept.purpose) ?? null;
 	return {
 		...none,
@@ -7353,14 +7299,14 @@ function givenFrom(value, catalogue) {
 		masks: listOf$1(kept.masks, "masks", fileOf$2),
 		geoid: orNull(kept.geoid ?? null, (file) => fileOf$2(file, "geoid")),
 		options: {
-			settings: orNull(options.settings, (settings) => fitted(settings, catalogue.defaults, "options.settings")),
+			settings: orNull(options.settings, (settings) => fitted$1(settings, catalogue.defaults, "options.settings")),
 			gps: options.gps === "ignore" ? "ignore" : "use",
 			cameras: text("cameras"),
 			control: text("control"),
 			marks: text("marks"),
 			positions: options.positions === void 0 ? null : text("positions")
 		},
-		flight: orNull(kept.flight, (flight) => fitted(flight, catalogue.flight, "flight")),
+		flight: orNull(kept.flight, (flight) => fitted$1(flight, catalogue.flight, "flight")),
 		truth: orNull(kept.truth, (name) => likeOf(name, "", "truth")),
 		opened: opened?.length === 2 ? opened : null,
 		placing: kept.placing

@@ -2194,6 +2194,82 @@ var OWN_LIGHT = {
 	contrast: 1
 };
 var isOwnLight = ({ brightness, contrast }) => brightness === OWN_LIGHT.brightness && contrast === OWN_LIGHT.contrast;
+// www/shared/state/plane-map.ts
+function mapped({ a, b, c, d, e, f }, x, y) {
+	return [a * x + c * y + e, b * x + d * y + f];
+}
+function inverse({ a, b, c, d, e, f }) {
+	const determinant = a * d - b * c;
+	const turned = {
+		a: d / determinant,
+		b: -b / determinant,
+		c: -c / determinant,
+		d: a / determinant,
+		e: 0,
+		f: 0
+	};
+	const [x, y] = mapped(turned, e, f);
+	return {
+		...turned,
+		e: -x,
+		f: -y
+	};
+}
+function fitted$2(count, place, least) {
+	const [mx, my, mu, mv] = middle$1(count, place);
+	let [xx, xy, yy, xu, yu, xv, yv] = [
+		0,
+		0,
+		0,
+		0,
+		0,
+		0,
+		0
+	];
+	for (let i = 0; i < count; i++) {
+		const [px, py, pu, pv] = place(i);
+		const [x, y, u, v] = [
+			px - mx,
+			py - my,
+			pu - mu,
+			pv - mv
+		];
+		xx += x * x;
+		xy += x * y;
+		yy += y * y;
+		xu += x * u;
+		yu += y * u;
+		xv += x * v;
+		yv += y * v;
+	}
+	const determinant = xx * yy - xy * xy;
+	if (!(determinant > least * xx * yy)) return null;
+	const [a, c] = [(yy * xu - xy * yu) / determinant, (xx * yu - xy * xu) / determinant];
+	const [b, d] = [(yy * xv - xy * yv) / determinant, (xx * yv - xy * xv) / determinant];
+	return {
+		a,
+		b,
+		c,
+		d,
+		e: mu - a * mx - c * my,
+		f: mv - b * mx - d * my
+	};
+}
+function middle$1(count, place) {
+	const sum = [
+		0,
+		0,
+		0,
+		0
+	];
+	for (let i = 0; i < count; i++) for (const [k, value] of place(i).entries()) sum[k] = (sum[k] ?? 0) + value;
+	return [
+		sum[0] / count,
+		sum[1] / count,
+		sum[2] / count,
+		sum[3] / count
+	];
+}
 // www/shared/engine/pool.ts
 var MOST_WORKERS = 8;
 var WorkerPool = class {
@@ -5203,43 +5279,20 @@ function labelled(text, testid, label, action) {
 }
 // www/shared/state/neighbours.ts
 var LEAST_OF_MAP = 6;
+var ALONG_A_LINE$1 = .001;
 function middle(values) {
 	const sorted = [...values].sort((a, b) => a - b);
 	return sorted[Math.floor(sorted.length / 2)] ?? NaN;
 }
-function mapped$1(places, at, k) {
-	const mean = (of) => places.reduce((sum, place) => sum + of(place), 0) / places.length;
-	const [mx, my, mv] = [
-		mean((p) => p[0]),
-		mean((p) => p[1]),
-		mean((p) => p[k])
-	];
-	let [xx, xy, yy, xv, yv] = [
-		0,
-		0,
-		0,
-		0,
-		0
-	];
-	for (const place of places) {
-		const [x, y, v] = [
-			place[0] - mx,
-			place[1] - my,
-			place[k] - mv
-		];
-		xx += x * x;
-		xy += x * y;
-		yy += y * y;
-		xv += x * v;
-		yv += y * v;
-	}
-	const determinant = xx * yy - xy * xy;
-	if (!(determinant > .001 * xx * yy)) return null;
-	return mv + ((yy * xv - xy * yv) * (at[0] - mx) + (xx * yv - xy * xv) * (at[1] - my)) / determinant;
-}
 function affine(places, at) {
-	const [x, y] = places.length < LEAST_OF_MAP ? [null, null] : [mapped$1(places, at, 2), mapped$1(places, at, 3)];
-	return x === null || y === null ? null : [x, y];
+	if (places.length < LEAST_OF_MAP) return null;
+	const map = fitted$2(places.length, (i) => places[i] ?? [
+		NaN,
+		NaN,
+		NaN,
+		NaN
+	], ALONG_A_LINE$1);
+	return map === null ? null : mapped(map, ...at);
 }
 function movedWith(places, at) {
 	if (places.length === 0) return null;
@@ -15739,65 +15792,23 @@ function expectedOrigin(field, [x, y]) {
 }
 // www/pair/state/follow.ts
 var LEAST_MATCHES = 10;
-var affineOf = remember((matches) => {
+var ALONG_A_LINE = 1e-6;
+var mapOf = remember((matches) => {
 	const count = matches.length / 5;
-	if (count < LEAST_MATCHES) return null;
-	const [mx = NaN, my = NaN, mu = NaN, mv = NaN] = [
-		0,
-		1,
-		2,
-		3
-	].map((k) => {
-		let sum = 0;
-		for (let i = k; i < matches.length; i += 5) sum += matches[i] ?? 0;
-		return sum / count;
-	});
-	let [xx, xy, yy, xu, yu, xv, yv] = [
-		0,
-		0,
-		0,
-		0,
-		0,
-		0,
-		0
+	const place = (i) => [
+		matches[5 * i] ?? NaN,
+		matches[5 * i + 1] ?? NaN,
+		matches[5 * i + 2] ?? NaN,
+		matches[5 * i + 3] ?? NaN
 	];
-	for (let i = 0; i < matches.length; i += 5) {
-		const [x, y] = [(matches[i] ?? 0) - mx, (matches[i + 1] ?? 0) - my];
-		const [u, v] = [(matches[i + 2] ?? 0) - mu, (matches[i + 3] ?? 0) - mv];
-		xx += x * x;
-		xy += x * y;
-		yy += y * y;
-		xu += x * u;
-		yu += y * u;
-		xv += x * v;
-		yv += y * v;
-	}
-	const determinant = xx * yy - xy * xy;
-	if (!(determinant > 1e-6 * xx * yy)) return null;
-	const [a, b] = [(yy * xu - xy * yu) / determinant, (xx * yu - xy * xu) / determinant];
-	const [d, e] = [(yy * xv - xy * yv) / determinant, (xx * yv - xy * xv) / determinant];
-	return [
-		a,
-		b,
-		mu - a * mx - b * my,
-		d,
-		e,
-		mv - d * mx - e * my
-	];
+	return count < LEAST_MATCHES ? null : fitted$2(count, place, ALONG_A_LINE);
 });
-function mapped([a, b, c, d, e, f], [x, y]) {
-	return [a * x + b * y + c, d * x + e * y + f];
-}
-function mappedBack([a, b, c, d, e, f], [x, y]) {
-	const determinant = a * e - b * d;
-	return [(e * (x - c) - b * (y - f)) / determinant, (a * (y - f) - d * (x - c)) / determinant];
-}
 function sameGround(state, side, at) {
 	const { settings, results } = state;
 	if (settings !== null && comparesGradients(settings)) {
-		const map = results.match !== void 0 && isCurrent(state, "match") ? affineOf(results.match.value.matches) : null;
+		const map = results.match !== void 0 && isCurrent(state, "match") ? mapOf(results.match.value.matches) : null;
 		if (map === null) return null;
-		return side === "left" ? mapped(map, at) : mappedBack(map, at);
+		return mapped(side === "left" ? map : inverse(map), ...at);
 	}
 	const field = isCurrent(state, "offset") ? results.offset?.value : void 0;
 	if (field === void 0) return null;
@@ -18240,4 +18251,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, BY_HAND, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, OWN_LIGHT, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, declareLack, declarePlace, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior$1 as interior, isCurrent, isHidden, isMeasured$1 as isMeasured, isMode, isNothing, isOpen, isWhole$1 as isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placesByHand, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf, startProgram, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, whenInSight, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, BY_HAND, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, OWN_LIGHT, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, declareLack, declarePlace, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, fitted$2 as fitted$1, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior$1 as interior, inverse, isCurrent, isHidden, isMeasured$1 as isMeasured, isMode, isNothing, isOpen, isWhole$1 as isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, mapped, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placesByHand, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf, startProgram, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, whenInSight, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };

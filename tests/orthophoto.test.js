@@ -25,6 +25,7 @@ before(async () => {
       'block/engine/recorded',
       'block/files/earlier-keys',
       'block/files/rasters',
+      'shared/state/plane-map',
       'block/state/under',
       'block/state/cells',
       'block/state/purpose',
@@ -239,7 +240,8 @@ test('a large orthophoto is read in parts, by an object that gives bytes at once
 });
 
 test('a map of the plane is undone by its inverse, and pixels lie where the crate has them', () => {
-  const { affineOf, after, inverse, mapped, scaleOf, similarity } = page.under;
+  const { affineOf, after, scaleOf, similarity } = page.under;
+  const { inverse, mapped } = page.plane_map;
   const reference = OrthophotoReference.open(scene().picture);
   const { georeference, gsd } = reference.info();
   reference.free();
@@ -399,7 +401,7 @@ test('marks of film are of the image of their name, which alone is placed anew w
 
 test('an orthophoto lies under a block by the images that are placed on it, by one system, or not at all', () => {
   const { laidUnder } = page.laid;
-  const { mapped } = page.under;
+  const { mapped } = page.plane_map;
   const info = { width: 100, height: 100, gsd: 1, georeference: { origin: [1000, 2100], by_column: [1, 0], by_row: [0, -1] }, epsg: null, heights: [0, 0] };
   const orthophoto = { raster: {}, info, ofBlock: null };
   /** A square of the orthophoto's system, as the block has it: turned by a quarter, half as large, elsewhere. */
@@ -460,7 +462,8 @@ function onEarth(crs) {
   const positions = images.flatMap((_, index) => [...scene.surface_at(index, Float64Array.of(60, 60, 120, 90, 200, 150))]);
   reference.free();
   scene.free();
-  const { affineOf, after, inverse, mapped } = page.under;
+  const { affineOf, after } = page.under;
+  const { inverse, mapped } = page.plane_map;
   const own = affineOf(info.georeference);
   const at = (/** @type {[number, number]} */ [x, y], height = 0) =>
     system_coordinates(
@@ -513,7 +516,8 @@ test('an orthophoto of a projected system lies under a block with GNSS positions
 });
 
 test('an affine map is found by its places, whatever it does to angles; by places on a line a similarity is', () => {
-  const { affine, departure, mapped } = page.under;
+  const { affine, departure } = page.under;
+  const { mapped } = page.plane_map;
   const known = { a: 0.8, b: 0.1, c: -0.3, d: -1.2, e: 500_000, f: 5_400_000 };
   const from = [0, 1, 2].flatMap((x) => [0, 1, 2].map((y) => [400 * x, 300 * y]));
   const to = from.map(([x = 0, y = 0]) => mapped(known, x, y));
@@ -555,7 +559,7 @@ test('where an affine map of the whole departs by more than half a pixel, a pict
   ]) {
     const [[x, y] = []] = bent(40)(Float64Array.from(at));
     const [u, v] = placeIn(sheet.cells, size, at);
-    const [p, q] = page.under.mapped(affineOfPart(sheet, size, [at[0] - 128, at[1] - 128, at[0] + 128, at[1] + 128]), ...at);
+    const [p, q] = page.plane_map.mapped(affineOfPart(sheet, size, [at[0] - 128, at[1] - 128, at[0] + 128, at[1] + 128]), ...at);
     for (const off of [Math.hypot(u - x, v - y), Math.hypot(p - x, q - y)]) assert.ok(off < 2, `${at}: ${off}`);
   }
   const wild = sheetOf(bent(4000), size);
@@ -572,7 +576,7 @@ test('an orthophoto in degrees lies under a block within a pixel, far beyond it 
   const { origin } = scene.truth();
   scene.free();
   assert.ok(origin);
-  const { view, mapped } = { ...onEarth('EPSG:32632'), ...page.under };
+  const { view, mapped } = onEarth('EPSG:32632');
   const ground = page.ground.median(view.points.positions.filter((/** @type {number} */ _, /** @type {number} */ i) => i % 3 === 2));
   const made = georeferenced(picture, 4326, origin, ground);
   const given = { id: 1, name: 'degrees.tif', file: new File([/** @type {BlobPart} */ (made.tif)], 'degrees.tif'), world: null, projection: null };

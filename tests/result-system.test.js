@@ -11,7 +11,14 @@ const page = {};
 before(async () => {
   Object.assign(
     page,
-    await pageModules(['block/state/columns', 'block/state/in-common', 'block/state/result-system', 'block/state/under', 'block/state/words']),
+    await pageModules([
+      'block/state/columns',
+      'block/state/in-common',
+      'block/state/result-system',
+      'shared/state/plane-map',
+      'block/state/under',
+      'block/state/words',
+    ]),
   );
 });
 
@@ -152,6 +159,6 @@ test('the map of a system lies as its coordinates do, over the whole of a block'
   const { toBlock } = page.result_system.resultSystem(view);
   for (const [x = 0, y = 0, z = 0] of [...PLACES.slice(0, 2), [-900, 800, 10]]) {
     const [east = NaN, north = NaN] = there('EPSG:25832', [x, y, z]);
-    isNear(page.under.mapped(toBlock, east, north), [x, y], 0.05);
+    isNear(page.plane_map.mapped(toBlock, east, north), [x, y], 0.05);
   }
 });

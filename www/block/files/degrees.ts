@@ -3,8 +3,10 @@ import { system_coordinates, system_positions } from '../../../pkg/wasm/tiepoint
 import type { Georeference } from '../../../pkg/wasm/tiepoint.js';
 import { byAffine, wholeOf } from '../state/cells';
 import type { InDegrees, RasterFile } from '../state/placing';
-import { affineOf, mapped, scaleOf } from '../state/under';
-import type { Affine, Place } from '../state/under';
+import { affineOf, scaleOf } from '../state/under';
+import { mapped } from '../../shared/state/plane-map';
+import type { Place } from '../state/under';
+import type { Affine } from '../../shared/state/plane-map';
 import { GEO_KEYS, GEOGRAPHIC, geoKeys, MODEL_TYPE, SCALE, tiffDirectory, TIES, TRANSFORMATION } from '../../shared/files/tiff-directory';
 import type { TiffDirectory } from '../../shared/files/tiff-directory';
 

@@ -16,7 +16,7 @@ import { resultSystem } from '../state/result-system';
 import { isInSystemOf } from '../state/showing';
 import { imagesOfBlock, isBusy } from '../state/state';
 import { countedPoints } from '../state/point-kinds';
-import { inverse, mapped } from '../state/under';
+import { inverse, mapped } from '../../shared/state/plane-map';
 import { unitText, withUnit } from '../../shared/text/units';
 import type { BlockView, Layout } from '../state/view';
 import { mostMatches } from '../state/words';

@@ -4,8 +4,10 @@ import { remember } from '../../shared/state/remember';
 import { messageOf } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
 import type { GivenOrthophoto } from './placing';
-import { affine, affineOf, departure, inverse, mapped, scaleOf } from './under';
-import type { Affine, Place } from './under';
+import { affine, affineOf, departure, scaleOf } from './under';
+import { inverse, mapped } from '../../shared/state/plane-map';
+import type { Place } from './under';
+import type { Affine } from '../../shared/state/plane-map';
 import type { BlockView } from './view';
 
 /** What leads from one to the other, and whether that is as near as what is measured in one of both needs it in the other; or why nothing does. */

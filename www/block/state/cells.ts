@@ -1,6 +1,8 @@
 /** Where a picture lies in a system that no affine map of the whole leads to well enough: in cells, each with the places of its corners. Pure. */
-import { affine, departure, mapped, scaleOf } from './under';
-import type { Affine, Place } from './under';
+import { affine, departure, scaleOf } from './under';
+import { mapped } from '../../shared/state/plane-map';
+import type { Place } from './under';
+import type { Affine } from '../../shared/state/plane-map';
 
 /** From positions in px (column and row, stride 2) to their places in the other system. */
 export type Exact = (pixels: Float64Array) => readonly Place[];

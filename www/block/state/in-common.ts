@@ -1,7 +1,8 @@
 /** Where given coordinates lie in the system of a block: known where both say where they lie on the earth, or the block has some of the points already. Pure. */
 import { local_positions, system_positions } from '../../../pkg/wasm/tiepoint.js';
 import type { CountedFrom, GeographicOrigin, GroundControlRow } from '../../../pkg/wasm/tiepoint.js';
-import { mapped, scaleOf, similarity } from './under';
+import { scaleOf, similarity } from './under';
+import { mapped } from '../../shared/state/plane-map';
 import type { BlockView } from './view';
 
 type Coordinates = readonly [number, number, number];

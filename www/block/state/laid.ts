@@ -9,8 +9,10 @@ import type { BlockFile, Shown } from './state';
 import type { BlockView } from './view';
 import { byAffine, sheetOf, throughout } from './cells';
 import type { Sheet } from './cells';
-import { affineOf, after, inverse, mapped, SAME, similarity } from './under';
-import type { Affine, Place } from './under';
+import { affineOf, after, SAME, similarity } from './under';
+import { inverse, mapped } from '../../shared/state/plane-map';
+import type { Place } from './under';
+import type { Affine } from '../../shared/state/plane-map';
 
 export interface Laid {
   /** From the system of the orthophoto to that of the block, in the middle of which it is nearest. */

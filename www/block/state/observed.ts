@@ -1,6 +1,6 @@
 /** What the observations of images say of other places: where they lie in another image, and on the ground. */
 import { affine, movedWith, NEIGHBOURS } from '../../shared/state/neighbours';
-import type { Twice } from '../../shared/state/neighbours';
+import type { Twice } from '../../shared/state/plane-map';
 import type { Position } from '../../shared/state/pane';
 import { remember } from '../../shared/state/remember';
 import type { ImagePoints } from './facts';

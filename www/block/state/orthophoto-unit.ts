@@ -3,7 +3,8 @@ import { local_positions, system_positions } from '../../../pkg/wasm/tiepoint.js
 import type { OrthophotoInfo } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import type { GivenOrthophoto } from './placing';
-import { affineOf, mapped } from './under';
+import { affineOf } from './under';
+import { mapped } from '../../shared/state/plane-map';
 
 export type LengthUnit = 'm' | 'ft';
 

@@ -4,7 +4,7 @@ import { surveyedAt } from './point-kinds';
 import { pointsOf } from './selection';
 import { toSystemOf } from './showing';
 import type { BlockState } from './state';
-import { mapped } from './under';
+import { mapped } from '../../shared/state/plane-map';
 
 type Given = Pick<BlockState, 'placing' | 'shown' | 'selection'>;
 

@@ -7,8 +7,8 @@ import { withUnit } from '../../shared/text/units';
 import { sayNamed } from '../../shared/text/words';
 import { median } from './ground';
 import { unitOf } from './scale';
-import { mapped } from './under';
-import type { Affine } from './under';
+import { mapped } from '../../shared/state/plane-map';
+import type { Affine } from '../../shared/state/plane-map';
 import type { BlockView } from './view';
 
 type Unit = 'm' | 'ft' | '°' | '';

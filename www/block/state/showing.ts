@@ -1,8 +1,9 @@
 /** What the orthophoto view shows: the block that was placed on the orthophoto, else the images that were placed by themselves. */
 import { betweenSystems } from './between';
 import { remember } from '../../shared/state/remember';
-import { mapped, affineOf, inverse, SAME } from './under';
-import type { Affine } from './under';
+import { affineOf, SAME } from './under';
+import { mapped, inverse } from '../../shared/state/plane-map';
+import type { Affine } from '../../shared/state/plane-map';
 import { placedFiles } from './placed';
 import type { PlacedFile } from './placed';
 import type { GivenOrthophoto } from './placing';

@@ -1,15 +1,7 @@
 /** Plane maps: from the pixels of an orthophoto to its system, and from that to the system of a block. */
 import type { Georeference } from '../../../pkg/wasm/tiepoint.js';
-
-/** (x, y) becomes (a x + c y + e, b x + d y + f), as a canvas has it. */
-export interface Affine {
-  a: number;
-  b: number;
-  c: number;
-  d: number;
-  e: number;
-  f: number;
-}
+import { fitted, mapped } from '../../shared/state/plane-map';
+import type { Affine, Twice } from '../../shared/state/plane-map';
 
 /** Side of a tile of an orthophoto's picture, px of the halved picture. */
 export const TILE_SIDE = 256;
@@ -21,23 +13,12 @@ export function affineOf({ origin, by_column: column, by_row: row }: Georeferenc
   return { a: column[0], b: column[1], c: row[0], d: row[1], e: origin[0], f: origin[1] };
 }
 
-export function mapped({ a, b, c, d, e, f }: Affine, x: number, y: number): [number, number] {
-  return [a * x + c * y + e, b * x + d * y + f];
-}
-
 /** First `inner`, then `outer`. */
 export function after(outer: Affine, inner: Affine): Affine {
   const [a, b] = mapped({ ...outer, e: 0, f: 0 }, inner.a, inner.b);
   const [c, d] = mapped({ ...outer, e: 0, f: 0 }, inner.c, inner.d);
   const [e, f] = mapped(outer, inner.e, inner.f);
   return { a, b, c, d, e, f };
-}
-
-export function inverse({ a, b, c, d, e, f }: Affine): Affine {
-  const determinant = a * d - b * c;
-  const turned = { a: d / determinant, b: -b / determinant, c: -c / determinant, d: a / determinant, e: 0, f: 0 };
-  const [x, y] = mapped(turned, e, f);
-  return { ...turned, e: -x, f: -y };
 }
 
 /** How much longer lengths become, in the mean of all directions. */
@@ -70,29 +51,9 @@ export function similarity(from: readonly Place[], to: readonly Place[]): Affine
 
 /** The six parameters that bring places nearest to others of the same number: of places on one line those of a similarity; null where that has none either. */
 export function affine(from: readonly Place[], to: readonly Place[]): Affine | null {
-  if (from.length < 3 || from.length !== to.length) return similarity(from, to);
-  const [fx, fy] = middle(from);
-  const [tx, ty] = middle(to);
-  let [uu, uv, vv, up, vp, uq, vq] = [0, 0, 0, 0, 0, 0, 0];
-  from.forEach(([x, y], i) => {
-    const [u, v] = [x - fx, y - fy];
-    const [p, q] = [(to[i]?.[0] ?? 0) - tx, (to[i]?.[1] ?? 0) - ty];
-    uu += u * u;
-    uv += u * v;
-    vv += v * v;
-    up += u * p;
-    vp += v * p;
-    uq += u * q;
-    vq += v * q;
-  });
-  const determinant = uu * vv - uv * uv;
-  if (!(determinant > ON_A_LINE * uu * vv)) return similarity(from, to);
-  const [a, c] = [(vv * up - uv * vp) / determinant, (uu * vp - uv * up) / determinant];
-  const [b, d] = [(vv * uq - uv * vq) / determinant, (uu * vq - uv * uq) / determinant];
-  if (!(Math.abs(a * d - b * c) > 0)) return similarity(from, to);
-  const turned = { a, b, c, d, e: 0, f: 0 };
-  const [x, y] = mapped(turned, fx, fy);
-  return { ...turned, e: tx - x, f: ty - y };
+  const place = (i: number): Twice => [from[i]?.[0] ?? NaN, from[i]?.[1] ?? NaN, to[i]?.[0] ?? NaN, to[i]?.[1] ?? NaN];
+  const map = from.length < 3 || from.length !== to.length ? null : fitted(from.length, place, ON_A_LINE);
+  return map !== null && Math.abs(map.a * map.d - map.b * map.c) > 0 ? map : similarity(from, to);
 }
 
 /** Places lie on one line where 1 minus their squared correlation is below that. */

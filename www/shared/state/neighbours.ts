@@ -1,14 +1,15 @@
 /** Where the ground at a place of one image lies in another, by points around it that both show. */
 
 import type { Position } from './pane';
-
-/** Where a point lies in one image, then in another. */
-export type Twice = readonly [number, number, number, number];
+import { fitted, mapped } from './plane-map';
+import type { Twice } from './plane-map';
 
 /** Points around a place that say where it lies in the other image. */
 export const NEIGHBOURS = 12;
 /** Fewer of them say only how far things move. */
 const LEAST_OF_MAP = 6;
+/** They lie along a line where 1 minus the squared correlation of x and y is below that. */
+const ALONG_A_LINE = 1e-3;
 
 /** The median of some values; NaN of none. */
 function middle(values: readonly number[]): number {
@@ -16,28 +17,11 @@ function middle(values: readonly number[]): number {
   return sorted[Math.floor(sorted.length / 2)] ?? NaN;
 }
 
-/** How one coordinate of the other image follows from a place, by least squares about the neighbours' middle; null where they lie along a line. */
-function mapped(places: readonly Twice[], at: Position, k: 2 | 3): number | null {
-  const mean = (of: (place: Twice) => number) => places.reduce((sum, place) => sum + of(place), 0) / places.length;
-  const [mx, my, mv] = [mean((p) => p[0]), mean((p) => p[1]), mean((p) => p[k])];
-  let [xx, xy, yy, xv, yv] = [0, 0, 0, 0, 0];
-  for (const place of places) {
-    const [x, y, v] = [place[0] - mx, place[1] - my, place[k] - mv];
-    xx += x * x;
-    xy += x * y;
-    yy += y * y;
-    xv += x * v;
-    yv += y * v;
-  }
-  const determinant = xx * yy - xy * xy;
-  if (!(determinant > 1e-3 * xx * yy)) return null;
-  return mv + ((yy * xv - xy * yv) * (at[0] - mx) + (xx * yv - xy * xv) * (at[1] - my)) / determinant;
-}
-
 /** The place that follows from those around it; null where they are too few, or lie along a line. */
 export function affine(places: readonly Twice[], at: Position): Position | null {
-  const [x, y] = places.length < LEAST_OF_MAP ? [null, null] : [mapped(places, at, 2), mapped(places, at, 3)];
-  return x === null || y === null ? null : [x, y];
+  if (places.length < LEAST_OF_MAP) return null;
+  const map = fitted(places.length, (i) => places[i] ?? [NaN, NaN, NaN, NaN], ALONG_A_LINE);
+  return map === null ? null : mapped(map, ...at);
 }
 
 /** The place in the other image, moved with those around it where no more is known; null without any. */

@@ -6,8 +6,9 @@ import { toCanvas, toPosition } from '../../../shared/view/transform';
 import type { Transform } from '../../../shared/view/transform';
 import type { System } from '../../state/ground';
 import type { LengthUnit } from '../../state/orthophoto-unit';
-import { inverse, mapped, SAME, scaleOf } from '../../state/under';
-import type { Affine } from '../../state/under';
+import { SAME, scaleOf } from '../../state/under';
+import { inverse, mapped } from '../../../shared/state/plane-map';
+import type { Affine } from '../../../shared/state/plane-map';
 import { withUnit } from '../../../shared/text/units';
 
 /** About so far apart are lines of the grid, CSS px; and so long is the scale bar at most. */

@@ -4,8 +4,9 @@ import type { Transform } from '../../../shared/view/transform';
 import type { GivenOrthophoto } from '../../state/placing';
 import { affineOfPart } from '../../state/cells';
 import type { Sheet } from '../../state/cells';
-import { after, inverse, mapped, scaleOf, TILE_SIDE } from '../../state/under';
-import type { Affine } from '../../state/under';
+import { after, scaleOf, TILE_SIDE } from '../../state/under';
+import { inverse, mapped } from '../../../shared/state/plane-map';
+import type { Affine } from '../../../shared/state/plane-map';
 
 /** So many tiles are kept: some 100 MB. */
 const MOST_TILES = 400;
