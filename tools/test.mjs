@@ -126,9 +126,13 @@ async function nodeTests(steps, group, name, env, concurrency = 1) {
   await steps.check(group, name, () => nodeTest(testsIn(join(ROOT, 'tests', group)), env, concurrency));
 }
 
+/** A file of tests takes a tenth of this: one that hangs is told, and does not hold up all the others. */
+const FILE_MS = 900_000;
+
 /** Runs Node's tests without their chatter; a failure shows all of it.  @param {string[]} files @param {Record<string, string>} [env] */
 async function nodeTest(files, env = {}, concurrency = 1) {
-  const { code, output } = await run(process.execPath, ['--test', '--test-reporter=tap', `--test-concurrency=${concurrency}`, ...files], { env, quiet: true });
+  const flags = ['--test', '--test-reporter=tap', `--test-concurrency=${concurrency}`, `--test-timeout=${FILE_MS}`];
+  const { code, output } = await run(process.execPath, [...flags, ...files], { env, quiet: true });
   console.log(
     code === 0
       ? output

@@ -56,15 +56,16 @@ async function type(page, id, text) {
 }
 
 /**
- * The rows of a store, those of the pair with their text.
+ * The rows of a store, those of the pair with their text; none while there is no database, which must not come of the question.
  * @param {Page} page @param {'projects' | 'parts'} store @param {boolean} [briefly] of the results only what they are of: their text has megabytes @returns {Promise<any[]>}
  */
 const stored = (page, store, briefly = false) =>
   page.evaluate(
     ([name, short]) =>
-      new Promise((resolve, reject) => {
+      new Promise((resolve) => {
         const opening = indexedDB.open('tiepoint');
-        opening.onerror = () => reject(opening.error);
+        opening.onupgradeneeded = () => opening.transaction?.abort();
+        opening.onerror = () => resolve([]);
         opening.onsuccess = () => {
           const db = opening.result;
           const reading = db.transaction(name).objectStore(name).getAll();

@@ -281,7 +281,8 @@ export async function says(page, id, pattern) {
 }
 
 /**
- * The parts of projects that the browser keeps whose names begin so, each with its project: files are empty objects.
+ * The parts of projects that the browser keeps whose names begin so, each with its project: files are empty objects. None while there is no database,
+ * which must not come of the question: the page would find it without its stores.
  * @param {import('playwright-core').Page} page @param {string} start @param {boolean} [isWhole] with their values, which may have megabytes
  * @returns {Promise<{ project: string, part: string, value: any }[]>}
  */
@@ -290,6 +291,8 @@ export const rowsKept = (page, start, isWhole = true) =>
     ([from, whole]) =>
       new Promise((resolve) => {
         const opening = indexedDB.open('tiepoint');
+        opening.onupgradeneeded = () => opening.transaction?.abort();
+        opening.onerror = () => resolve([]);
         opening.onsuccess = () => {
           const reading = opening.result.transaction('parts').objectStore('parts').getAll();
           reading.onsuccess = () => {
