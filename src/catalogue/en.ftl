@@ -1500,6 +1500,8 @@ remark-mosaic-heights =
            *[plus] high
         }
     }, and what images show of it is off in plan; convert the heights
+remark-mosaic-without-place = the block has neither GNSS positions nor control points: the mosaic is in a system of the block's own, in which lengths are no metres, north is not known, and the ground need not be level
+remark-mosaic-without-system = the mosaic's coordinates are metres east and north of latitude { FIXED($latitude_deg, digits: 6) }, longitude { FIXED($longitude_deg, digits: 6) }, which its file cannot say: with --crs the block has a system that it can
 remark-orthophoto-units = the orthophoto has eastings and northings in units of { $unit_m } m; heights of its ground are taken in units of { $height_unit_m } m
 remark-unsupported-edits = the project file was written before all adjusted points were kept: with edits the block is adjusted by the selected ones alone, and is less precise
 remark-unmeasured-points =
@@ -1684,7 +1686,7 @@ not-placed-no-common-place =
         [0] no point resembles a place of the orthophoto
        *[other] of { $matches } points that resemble places of the orthophoto, { $agreeing } agree on one place, as chance would have it
     }
-not-placed-no-orientation = { $points } points agree on a place, and no orientation of the image fits them: the camera may be wrong, or the heights
+not-placed-no-orientation = { $points } points agree on a place, and no orientation of the image fits them: the camera may be wrong, the heights, or the place and pixels of the orthophoto
 not-placed-not-confirmed = { $agreeing } of { $links } points lie where the orientation that was found has them, as chance would have it
 not-placed-failed = { $failure }
 

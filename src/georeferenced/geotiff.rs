@@ -149,7 +149,7 @@ pub(super) fn degrees_of(tiff: &[u8]) -> Result<Option<Georeference>, Error> {
 }
 
 fn place<S: FileSource>(directory: &Directory<S>, keys: &Keys) -> Result<Option<Georeference>, Error> {
-    let Some(of_corner) = transformation(directory) else { return Ok(None) };
+    let Some(of_corner) = transformation(directory).filter(|own| *own != NOWHERE) else { return Ok(None) };
     let half = if keys.short(RASTER_TYPE) == Some(PIXEL_IS_POINT) { -0.5 } else { 0.0 };
     Georeference { origin: of_corner.ground([half, half]), ..of_corner }.checked().map(Some)
 }
@@ -163,6 +163,9 @@ pub(super) fn number_of<S: FileSource>(directory: &Directory<S>, tag: u64) -> Op
 pub(crate) fn refuse_degrees<T>() -> Result<T, Error> {
     refuse(Refusal::Degrees)
 }
+
+/// The identity: programs write it of pictures that lie nowhere.
+const NOWHERE: Georeference = Georeference { origin: [0.0; 2], by_column: [1.0, 0.0], by_row: [0.0, 1.0] };
 
 /// By which (0, 0) of the raster, be that a corner or a centre, and its steps lie on the map.
 fn transformation<S: FileSource>(directory: &Directory<S>) -> Option<Georeference> {

@@ -76,6 +76,10 @@ messages! {
         OrthophotoHeights { heights: String, from_ellipsoid: bool, crs: String, above_m: Option<f64> },
         /// The same of the heights on which an orthomosaic is made: by so much its ground is too high, below 0 too low.
         MosaicHeights { heights: String, from_ellipsoid: bool, crs: String, above_m: Option<f64> },
+        /// An orthomosaic is of a block that nothing places: it has no metres, no north, and need not be level.
+        MosaicWithoutPlace,
+        /// Its coordinates are m east and north of a point, which its file cannot say: the block has no coordinate reference system.
+        MosaicWithoutSystem { latitude_deg: f64, longitude_deg: f64 },
         /// The block has no place on the earth that would be in the system that was chosen.
         NoResultSystem { crs: String },
         /// The block comes from a project file that holds less than is known of a block.

@@ -5,7 +5,7 @@ use super::height_values::HeightValues;
 use crate::Georeference;
 use crate::crs::Vertical;
 use crate::error::refuse;
-use crate::georeferenced::{GeoTags, MOST_VALUES, Numbers, SaidSystem, Sidecars, range_of};
+use crate::georeferenced::{GeoTags, MOST_VALUES, Numbers, SaidSystem, Sidecars, range_of, refuse_many};
 use crate::image::is_tiff;
 use crate::pipeline::{is_unit, unit_name};
 use crate::source::read_all;
@@ -270,8 +270,11 @@ impl HeightModel {
         }
         let of = |name: &str| head.get(name).copied().ok_or_else(|| Refusal::GridLacks { name: name.into() }.into_error());
         let (columns, rows, cell) = (of("ncols")?, of("nrows")?, of("cellsize")?);
-        if !(columns >= 2.0 && rows >= 2.0 && columns * rows <= MOST_VALUES as f64 && cell > 0.0) {
+        if !(columns >= 2.0 && rows >= 2.0 && cell > 0.0) {
             return refuse(Refusal::GridSize { columns, rows, cell });
+        }
+        if columns * rows > MOST_VALUES as f64 {
+            return refuse_many([columns as usize, rows as usize]);
         }
         let low = |corner: &str, centre: &str| of(corner).or_else(|_| of(centre).map(|v| v - 0.5 * cell));
         let [x, y] = [low("xllcorner", "xllcenter")?, low("yllcorner", "yllcenter")?];
@@ -367,6 +370,8 @@ mod tests {
         assert!(said(&GRID.replace(" 3\n4", " x\n4")).contains("\"x\""));
         assert!(said(&GRID.replace("1 2 3", "1 2")).contains("5 heights"));
         assert!(said(&GRID.replace("1 2 3", "1 2 99999")).contains("99999"));
+        let many = GRID.replace("ncols 3", "ncols 10001").replace("nrows 2", "nrows 10000");
+        assert!(said(&many).contains("got 10001 x 10000 heights; allowed: up to 100 million"), "{}", said(&many));
         assert!(said("").contains("ESRI ASCII grid") && said("II").contains("ESRI"));
         assert!(HeightModel::read(&[0xff, 0xfe, 0x80], None).is_err() && HeightModel::read(b"II*\0\x08\0\0\0", None).is_err());
     }

@@ -18,7 +18,7 @@ use crate::camera::Camera;
 use crate::error::refuse;
 use crate::image::Neighbours;
 use crate::math::median;
-use crate::{Bands, BlockModel, BlockRun, Error, ModelImage, Pose, Refusal, Remark, halve};
+use crate::{Bands, BlockModel, BlockRun, Datum, Error, GeographicOrigin, ModelImage, Pose, Refusal, Remark, halve};
 use std::io::{Seek, Write};
 
 /// Larger mosaics are made of larger pixels.
@@ -96,6 +96,15 @@ impl Laid {
     }
 }
 
+/// What is to be said of a block whose mosaic has no coordinate reference system to name.
+fn without_system(run: &BlockRun) -> Option<Remark> {
+    match run.model.origin {
+        Some(GeographicOrigin { latitude_deg, longitude_deg, .. }) => Some(Remark::MosaicWithoutSystem { latitude_deg, longitude_deg }),
+        // Surveyed points and orthophotos have a system, whether it has a name or not.
+        None => (run.reconstruction.as_ref().ok()?.models.first()?.adjusted.datum == Datum::Free).then_some(Remark::MosaicWithoutPlace),
+    }
+}
+
 /// What is to be said of heights that count from elsewhere than those of the system of a block.
 fn other_heights(run: &BlockRun, heights: &Heights, map: &BlockMap) -> Option<Remark> {
     let zero = map.zero_of(run.input.zero(run.geoid.as_ref()));
@@ -141,7 +150,7 @@ impl Mosaic {
         };
         let Some(map) = map else {
             let images = laid_by(&run.model, &chosen, &heights);
-            return Ok(Self { epsg, ..Self::of(images, heights, gsd, MOST_PIXELS, 0.0)? });
+            return Ok(Self { epsg, remark: without_system(run), ..Self::of(images, heights, gsd, MOST_PIXELS, 0.0)? });
         };
         let Some(coarse) = map.coarse(&heights, &run.model) else { return refuse(Refusal::OutsideMap { crs: map.name() }) };
         let images = laid_by(&run.model, &chosen, &coarse).into_iter().map(|image| image?.on(&map, &coarse)).collect();

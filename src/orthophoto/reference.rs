@@ -327,6 +327,16 @@ mod tests {
     }
 
     #[test]
+    fn a_geotiff_with_the_identity_lies_where_its_world_file_says() {
+        let grey = |value: u8| GreyImage::from_fn(20, 20, |_, _| value).unwrap();
+        let identity = Georeference { origin: [0.0; 2], by_column: [1.0, 0.0], by_row: [0.0, 1.0] };
+        let file = write_geotiff(&Rectified { bands: grey(9).into(), mask: grey(255), georeference: identity }, None).unwrap();
+        let read = |world: Option<&str>| Orthophoto::read(&file, world, Heights::Level(0.0), &DecodeLimits::default());
+        assert!(read(None).unwrap_err().to_string().contains("does not say where it lies"));
+        assert_eq!(read(Some("2 0 0 -2 101 199")).unwrap().georeference, Georeference::north_up([100.0, 200.0], 2.0));
+    }
+
+    #[test]
     fn heights_of_another_system_are_refused_with_both_and_those_without_one_are_taken() {
         let at = Georeference::north_up([500_000.0, 5_000_000.0], 1.0);
         let grey = || GreyImage::from_fn(40, 40, |c, _| 100 + c as u8).unwrap();

@@ -70,7 +70,7 @@ impl OrthoMosaic {
         Ok(Self { mosaic, names: run.model.images.iter().map(|image| image.name.clone()).collect(), file: Outbox::default() })
     }
 
-    /// What is to be said of the heights that were given; null where there is nothing.
+    /// What is to be said of the heights that were given, or of the system; null where there is nothing.
     #[wasm_bindgen(unchecked_return_type = "Remark | null")]
     pub fn remark(&self) -> JsValue {
         pack(&self.mosaic.remark())

@@ -223,8 +223,12 @@ test('a block becomes an orthomosaic, on which its photos are placed again', () 
   assert.ok(run.orientation.oriented >= 2, JSON.stringify(run.verdict));
   const picture = join(block, 'mosaic.tif');
   const { code, stdout, stderr } = tiepoint('mosaic', join(block, 'out', 'project.tiepoint'), join(block, 'photos'), '--out', picture);
-  assert.equal(`${code} ${stderr}`, '0 ');
+  assert.match(`${code} ${stderr}`, /^0 .*the mosaic's coordinates are metres east and north of latitude 50\.0\d+, longitude 8\.0\d+, .* with --crs [^\n]*\n$/);
   assert.match(stdout, /written: .*mosaic\.tif/);
+  // A block that nothing places has no metres.
+  json('block', join(block, 'photos'), '--out', join(block, 'free'), '--features', '3000', '--gps', 'ignore');
+  const free = json('mosaic', join(block, 'free', 'project.tiepoint'), join(block, 'photos'), '--out', join(block, 'free', 'mosaic.tif'));
+  assert.deepEqual([free.remark.kind, /neither GNSS positions nor control points.* lengths are no metres/.test(free.remark.text)], ['mosaic_without_place', true]);
   const placed = json('place', join(block, 'photos', 'photo_00001.png'), '--orthophoto', picture, '--level', '0', '--points', '3000');
   assert.notEqual(placed.images[0].verdict.kind, 'not_placed', JSON.stringify(placed.images[0].verdict));
   // On the heights of the block's own tie points, too.
