@@ -150,6 +150,38 @@ test('matches are filtered by any column; the pictures show and choose those alo
   await close();
 });
 
+test('an edit is of the chosen matches that are listed; the others stay chosen', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await pair(page);
+  await part(page, 'tab-matches').click();
+  const { all } = await counts(page);
+  await part(page, 'choose-listed').click();
+  const figure = (/** @type {string} */ text) => Number(text.replace(/\D/gu, ''));
+  assert.equal(figure(await says(page, 'reject', /^Reject [\d\u202f]+$/u)), all);
+  assert.ok(await part(page, 'not-listed').isHidden());
+
+  // Fewer are listed: the button is of those, and says how many more are chosen.
+  await part(page, 'statistics-filter-w').fill('>3');
+  const { shown } = await counts(page, / of [\d\u202f]+$/u);
+  assert.ok(shown > 2 && shown < all / 2, String(shown));
+  assert.equal(figure(await says(page, 'not-listed', /more are chosen and not listed: they stay$/u)), all - shown);
+  assert.equal(await part(page, 'reject').textContent(), `Reject ${String(shown)}`);
+  assert.equal(await part(page, 'tool-reject').textContent(), `Reject ${String(shown)}`);
+  await part(page, 'reject').click();
+  await says(page, 'undo', new RegExp(`^Undo: reject ${String(shown)} matches$`, 'u'));
+
+  // None of the chosen ones listed is none to edit; without the filter all are there again.
+  await part(page, 'statistics-filter-w').fill('>100000');
+  await counts(page, /: 0 of /u);
+  assert.ok(await part(page, 'reject').isDisabled());
+  await part(page, 'statistics-clear').click();
+  assert.equal(figure(await says(page, 'reject', /^Reject [\d\u202f]+$/u)), all - shown);
+  await says(page, 'restore', new RegExp(`^Restore ${String(shown)}$`, 'u'));
+  assert.ok(await part(page, 'not-listed').isHidden());
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('in Arabic the table of matches is filtered by its own words, and its file has English heads', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ options: { locale: 'ar-EG' } });
   await part(page, 'file-input').setInputFiles([...pngs(), CAMERA]);

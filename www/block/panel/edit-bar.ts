@@ -4,6 +4,7 @@ import { button, byId, h } from '../../shared/panel/dom';
 import { passFocus } from '../../shared/panel/focus';
 import { set, showSteps } from '../../shared/panel/history';
 import { declareLack } from '../../shared/panel/lack';
+import { NotListed } from '../../shared/panel/not-listed';
 import { declarePlace } from '../../shared/panel/reach';
 import { fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
@@ -19,13 +20,14 @@ import type { BlockEdit, PointDetail } from '../../../pkg/wasm/tiepoint.js';
 import type { Names } from '../state/naming';
 import { apart, joined, split } from '../state/joining';
 import { shownImages } from '../state/panes';
+import { listedChoice } from '../state/listed';
 import { isMeasurable } from '../state/point-kinds';
 import { pointsOf } from '../state/selection';
 import { removable } from '../state/removing';
 import { timelineOf } from '../state/timeline';
 import type { BlockState } from '../state/state';
 import { say } from '../../shared/text/words';
-import { editOf, makeEdit, nameOfTimed, namesIn, stepBy } from './edits';
+import { chosenOf, editOf, makeEdit, nameOfTimed, namesIn, stepBy } from './edits';
 import { lackOfBlock } from '../state/lacks';
 
 /** What measures points, once the images view is there. */
@@ -42,8 +44,9 @@ function makeStep(store: BlockStore, edits: readonly BlockEdit[] | null): void {
 const MOST_JOINED = 8;
 
 /** The points that are chosen to be one; null where they cannot be, and while their figures are on their way. */
-function toJoin({ selection, shown }: BlockState, facts: Facts): readonly PointDetail[] | null {
-  const points = pointsOf(selection.chosen);
+function toJoin(state: BlockState, facts: Facts): readonly PointDetail[] | null {
+  const { shown } = state;
+  const points = pointsOf(chosenOf(state));
   if (shown === null || points.length < 2 || points.length > MOST_JOINED || points.some((point) => point >= shown.view.points.taking)) return null;
   const details = [...points].flatMap((point) => facts.point(point) ?? []);
   return details.length < points.length || joined(details) === null ? null : details;
@@ -71,8 +74,9 @@ function splitOf({ selection, shown, panes }: BlockState, facts: Facts): readonl
 }
 
 /** Takes the chosen images out of the block; null where they cannot be. */
-function removalOf({ files, selection, shown, history }: BlockState): Extract<MarkStep, { kind: 'remove_images' }> | null {
-  const out = removable(files, selection.chosen, shown?.view.images ?? []);
+function removalOf(state: BlockState): Extract<MarkStep, { kind: 'remove_images' }> | null {
+  const { files, shown, history } = state;
+  const out = removable(files, chosenOf(state), shown?.view.images ?? []);
   return out.length === 0 ? null : { kind: 'remove_images', files: out.map(({ id }) => id), after: history.done };
 }
 
@@ -141,11 +145,12 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     const role = value === 'control' || value === 'check' ? value : null;
     if (surveyed !== null) makeEdit(store, { kind: 'set_use', point: surveyed.point, use: role });
   });
+  const notListed = new NotListed('block-not-listed', [reject, restore, remove]);
   const text = h('span', { class: 'edit-text', testid: 'block-edit-text', role: 'status', aria: { live: 'polite' } });
   const bar = h(
     'div',
     { class: 'toolbar edit-bar', testid: 'block-edit-bar', role: 'toolbar', aria: { label: say('edits-by-hand') } },
-    ...[undo, redo, reject, whole, restore, remove, joining, parting, measure, add, match, accept, leave, use, text],
+    ...[undo, redo, reject, whole, restore, remove, notListed.element, joining, parting, measure, add, match, accept, leave, use, text],
   );
   for (const [made, lack] of [
     [reject, say('nothing-to-reject-is-chosen')],
@@ -188,6 +193,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     const removal = removalOf(state);
     remove.hidden = drafting || removal === null;
     set(remove, removal === null || removal.files.length === 1 ? say('remove-image') : capital(nameOfMarks(removal)), false);
+    notListed.show(state.shown === null || drafting ? 0 : listedChoice(state.selection, state.shown.view).others);
     const inImages = state.onStage === 'images';
     // A point that no image shows yet is measured in the images, whatever view it was chosen in.
     const given = chosen?.kind === 'given';

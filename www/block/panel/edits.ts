@@ -1,6 +1,7 @@
 import type { BlockStore } from '../engine/engine';
 import { isEditable } from '../state/editing';
 import { editOfChoice, standingOf } from '../state/edits';
+import { listedChoice } from '../state/listed';
 import { withoutLast } from '../state/draft';
 import { addedPoints } from '../state/added';
 import { remember } from '../../shared/state/remember';
@@ -13,12 +14,19 @@ import { heldAt, timelineOf } from '../state/timeline';
 import type { Held, TimedStep } from '../state/timeline';
 import { isBusy } from '../state/state';
 import type { BlockState } from '../state/state';
+import type { Choice } from '../state/selection';
 import type { BlockView } from '../state/view';
 import { say } from '../../shared/text/words';
 
+/** What is chosen and listed, which is what an edit is about; null where nothing is. */
+export function chosenOf({ selection, shown }: BlockState): Choice | null {
+  return shown === null ? null : listedChoice(selection, shown.view).choice;
+}
+
 /** What an edit of the choice would be; null where it cannot be made. */
-export function editOf({ selection, shown }: BlockState, kind: 'reject' | 'restore', whole = false): BlockEdit | null {
-  return shown === null ? null : editOfChoice(kind, selection.chosen, shown.view, standingOf(shown.edits), whole);
+export function editOf(state: BlockState, kind: 'reject' | 'restore', whole = false): BlockEdit | null {
+  const { shown } = state;
+  return shown === null ? null : editOfChoice(kind, chosenOf(state), shown.view, standingOf(shown.edits), whole);
 }
 
 /** Makes an edit, where there is one and nothing runs. */

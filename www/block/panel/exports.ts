@@ -10,6 +10,7 @@ import { editsInForce, isSameList } from '../state/editing';
 import { pendingPoints } from '../state/given-points';
 import { imagesOf } from '../state/selection';
 import { isBusy } from '../state/state';
+import { chosenOf } from './edits';
 import { saveMosaic } from './mosaic';
 import { say } from '../../shared/text/words';
 import { messageOf } from '../../shared/text/messages';
@@ -80,9 +81,10 @@ export function mountExports(host: HTMLElement, store: BlockStore, engine: Block
   store.watch(['shown', 'running', 'notice', 'history', 'placing', 'selection'], offer);
 }
 
-/** The names of the images that are chosen. */
-function chosenImages({ state: { shown, selection } }: BlockStore): string[] {
-  return imagesOf(selection.chosen).flatMap((image) => shown?.view.images[image]?.name ?? []);
+/** The names of the images that are chosen and listed. */
+function chosenImages({ state }: BlockStore): string[] {
+  const { shown } = state;
+  return imagesOf(chosenOf(state)).flatMap((image) => shown?.view.images[image]?.name ?? []);
 }
 
 /** `near`: the `data-testid` of the button that was pressed, beside which a refusal is said. */

@@ -5,7 +5,7 @@ import type { Command } from '../../shared/view/commands';
 import { listenKeys } from '../../shared/view/gestures';
 import { count, decimalsOfError, fixed } from '../../shared/text/format';
 import type { OrientedPair } from '../../shared/crate';
-import { chosenLefts, editOfChoice, lackOfBegun, lackOfEdit, lackOfMatches, lackOfSelected } from '../state/choice';
+import { chosenLefts, editOfChoice, lackOfBegun, lackOfEdit, lackOfMatches, lackOfSelected, notListed } from '../state/choice';
 import { moving } from '../state/draft';
 import { comparedEdit } from '../state/compared';
 import { editedPair } from '../state/edited';
@@ -15,6 +15,7 @@ import { nameOfEdit } from '../state/edits';
 import { steps } from '../../shared/state/history';
 import { hasKeys, REDO_KEYS, set, showHistory, showSteps, UNDO_KEYS, undoKeys } from '../../shared/panel/history';
 import { declareLack } from '../../shared/panel/lack';
+import { NotListed } from '../../shared/panel/not-listed';
 import type { Sorting } from '../state/edits';
 import { interiorInUse } from '../state/interior';
 import { countsOf, pixelMm } from '../state/residuals';
@@ -53,22 +54,24 @@ export function mountEdits(host: HTMLElement, store: Store, editing: Editing, fo
   declareLack([move], () => lackOfSelected(store.state));
   hasKeys(undo, UNDO_KEYS);
   hasKeys(redo, REDO_KEYS);
+  const others = new NotListed('not-listed', [reject, restore]);
   const hint = h('p', { class: 'note', testid: 'edit-hint' }, say('to-reject-wrong-matches-choose'));
   const compared = h('div', { testid: 'edit-compared', role: 'status' });
   const history = h('ol', { class: 'history', testid: 'history' });
   const unfold = h('summary', {}, '');
   const details = h('details', { testid: 'history-section' }, unfold, history);
   const panel = h('section', { class: 'edits', testid: 'edits', aria: { label: say('edits-by-hand') } });
-  panel.append(h('div', { class: 'buttons' }, reject, restore, move, undo, redo), hint, compared, details);
+  panel.append(h('div', { class: 'buttons' }, reject, restore, move, undo, redo), others.element, hint, compared, details);
   host.append(panel);
   store.watch(
-    (s) => [s.results, s.history, s.chosen, s.selection, s.before, s.images, s.settings, s.camera, s.photos, s.failures] as const,
+    (s) => [s.results, s.history, s.chosen, s.filter, s.selection, s.before, s.images, s.settings, s.camera, s.photos, s.failures] as const,
     () => {
       const { state } = store;
       panel.hidden = editedPair(state) === null;
       const [off, on] = [editOfChoice(state, 'reject'), editOfChoice(state, 'restore')];
       set(reject, `${say('reject')}${several(off)}`, off === null);
       set(restore, `${say('restore')}${several(on)}`, on === null);
+      others.show(notListed(state));
       move.disabled = moving(state) === null;
       const { edits } = state.history;
       const names = steps(state.history, nameOfEdit);
@@ -128,9 +131,10 @@ export function mountEditTools(host: HTMLElement, bar: HTMLElement, store: Store
   declareLack([choose], () => lackOfMatches(store.state));
   sayLacks(store, reject, restore);
   host.append(h('span', { class: 'divider' }), choose, undo, redo);
-  bar.append(reject, restore);
+  const others = new NotListed('tool-not-listed', [reject, restore]);
+  bar.append(reject, restore, others.element);
   store.watch(
-    (s) => [s.tool, s.history, s.chosen, s.selection, s.results.match] as const,
+    (s) => [s.tool, s.history, s.chosen, s.filter, s.selection, s.results] as const,
     () => {
       const { state } = store;
       choose.setAttribute('aria-pressed', String(state.tool === 'choose'));
@@ -142,6 +146,7 @@ export function mountEditTools(host: HTMLElement, bar: HTMLElement, store: Store
       // They are there for who chooses, and for nobody else.
       reject.hidden = state.tool !== 'choose' && state.chosen.length === 0;
       restore.hidden = reject.hidden || on === null;
+      others.show(reject.hidden ? 0 : notListed(state));
       showSteps(undo, redo, state.history, nameOfEdit);
     },
   );

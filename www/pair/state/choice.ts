@@ -1,10 +1,12 @@
-/** The matches that an edit would change: those chosen together, else that of the selected point. */
+/** The matches that an edit would change: those chosen together that are listed, else that of the selected point. */
 import { remember } from '../../shared/state/remember';
 import { BY_HAND, MATCHED } from './codes';
 import { editedPair, leftsByTarget, placeOfLeft, targetOfLeft } from './edited';
 import type { Edited } from './edited';
 import { keyOfTarget } from './edits';
 import type { Sorting } from './edits';
+import { leftOut } from './listed';
+import type { LeftOut } from './listed';
 import { leftIndexOf } from './selected';
 import type { Side, State } from './state';
 import { say } from '../../shared/text/words';
@@ -22,10 +24,27 @@ export function chosenLefts(state: State): readonly number[] {
   return edited === null || state.chosen.length === 0 ? NONE : leftsOf(edited, state.chosen);
 }
 
+const listedOf = remember((lefts: readonly number[], out: LeftOut | null): readonly number[] =>
+  out === null ? lefts : lefts.filter((left) => out.left[left] !== 1),
+);
+
+/**
+ * The left points of the chosen matches that are listed, which is what an edit of several is about: who filters means what is left, in the list and in
+ * the pictures. The choice itself stays, and is whole again without the filter: the half of a limit that is being typed would take it away for good.
+ */
+function listedLefts(state: State): readonly number[] {
+  const lefts = chosenLefts(state);
+  return lefts.length === 0 ? lefts : listedOf(lefts, leftOut(state));
+}
+
+/** How many matches are chosen together and not listed. */
+export function notListed(state: State): number {
+  return chosenLefts(state).length - listedLefts(state).length;
+}
+
 /** The left points whose matches an edit would change. */
 function concerned(state: State, edited: Edited): readonly number[] {
-  const chosen = chosenLefts(state);
-  if (chosen.length > 0) return chosen;
+  if (chosenLefts(state).length > 0) return listedLefts(state);
   const left = leftIndexOf(state, edited.match.best, edited.match.rules);
   return left < 0 ? NONE : [left];
 }
