@@ -11,7 +11,17 @@ const page = {};
 before(async () => {
   Object.assign(
     page,
-    await pageModules(['block/engine/film', 'block/files/files', 'block/files/frames', 'block/state/reducer', 'block/state/state', 'shared/state/store']),
+    await pageModules([
+      'block/engine/film',
+      'block/files/files',
+      'block/files/frames',
+      'block/files/keep-steps',
+      'block/state/naming',
+      'block/state/reducer',
+      'block/state/scan-marks',
+      'block/state/state',
+      'shared/state/store',
+    ]),
   );
 });
 
@@ -86,7 +96,7 @@ test('what is wrong with a camera or with marks is said, and the images are take
 });
 
 /** The frames of scans as a worker makes them. */
-const engine = {
+const engineOf = (/** @type {number} */ pixel) => ({
   frames: (/** @type {any[]} */ scans) =>
     Promise.all(
       scans.map(async ({ file, film, mask }) => {
@@ -94,14 +104,15 @@ const engine = {
         const known = { camera: parse_camera(film.camera), scan: { fiducials: parse_fiducials(film.marks) } };
         const made = film_frame(await bytes(file.file), known, {
           image: `${file.name}-frame`,
-          pixel_mm: 0.5,
+          pixel_mm: pixel,
           mask: mask && { name: mask.name, file: await bytes(mask.file) },
         });
         const png = (/** @type {Uint8Array} */ of) => new Blob([/** @type {BlobPart} */ (of)], { type: 'image/png' });
         return { ...made, image: png(made.image), mask: png(made.mask), of: file.id };
       }),
     ),
-};
+});
+const engine = engineOf(0.5);
 
 test('masks and image measurements of scans become those of their frames, by file and by hand', async () => {
   const { store, take } = taking();
@@ -122,10 +133,9 @@ test('masks and image measurements of scans become those of their frames, by fil
     y_px,
   });
   const hand = [row('b.png', 'P1', 90, 70), row('a.png', 'P3', 130, 90)];
-  // The last one was undone: it goes along, and is not counted.
-  const undone = [row('b.png', 'P3', 110, 80)];
-  const given = [[row('a.png', 'P2', 1, 1)], hand, undone].map((step) => ({ kind: 'measure', marks: step, after: 0 }));
-  store.dispatch({ type: 'marks', marks: { edits: given, done: 2 } });
+  const given = [[row('a.png', 'P2', 1, 1)], hand].map((step) => ({ kind: 'measure', marks: step, after: 0 }));
+  store.dispatch({ type: 'restored', restored: { ...store.state, marks: { edits: given, done: 2 }, draft: null } });
+  const before = store.state;
 
   await page.frames.takeFrames(store, engine, () => {});
   const { files, options, marks: steps, notice, placing } = store.state;
@@ -137,10 +147,19 @@ test('masks and image measurements of scans become those of their frames, by fil
   const moved = (/** @type {number} */ x, /** @type {number} */ y) => [...film_positions(film, Float64Array.of(x, y), 'frame')];
   const [x = NaN, y = NaN] = moved(100.5, 60.25);
   assert.deepEqual(parse_image_measurements(options.marks.text), [row('a-film.png', 'P1', x, y), row('IMG_7.jpg', 'P1', 7, 8)]);
-  const [[bx = NaN, by = NaN], [ax = NaN, ay = NaN], [ux = NaN, uy = NaN]] = [moved(90, 70), moved(130, 90), moved(110, 80)];
-  // The step that measured beside the frame is gone.
-  const left = [[row('b-film.png', 'P1', bx, by), row('a-film.png', 'P3', ax, ay)], [row('b-film.png', 'P3', ux, uy)]];
-  assert.deepEqual(steps, { edits: left.map((step) => ({ kind: 'measure', marks: step, after: 0 })), done: 1 });
+  const [[bx = NaN, by = NaN], [ax = NaN, ay = NaN]] = [moved(90, 70), moved(130, 90)];
+  // The step that measured beside the frame has nothing left.
+  const left = [[], [row('b-film.png', 'P1', bx, by), row('a-film.png', 'P3', ax, ay)]];
+  assert.deepEqual(
+    steps.edits.slice(0, 2),
+    left.map((step) => ({ kind: 'measure', marks: step, after: 0 })),
+  );
+  assert.equal(steps.done, 3);
+  assert.deepEqual(steps.edits.map(page.naming.nameOfMarks), [
+    'a measurement beside the images of scans',
+    'measure P1 in 2 images',
+    'make images of one camera of 2 scans',
+  ]);
   assert.match(
     notice.text,
     /^2 scans were resampled to images of one camera, which counts as calibrated\. Masks leave out the fiducial marks\. 3 image measurements were carried over\./,
@@ -160,6 +179,42 @@ test('masks and image measurements of scans become those of their frames, by fil
     [0, 255],
     [255, 255],
   ]);
+  // Undone, all of it is what it was, and done again what it became; what was given meanwhile stays.
+  const made = store.state;
+  const parts = ({ files, removed, options, placing, marks }) => ({ files, removed, options, film: placing.film, marks });
+  const same = (/** @type {any} */ now, /** @type {any} */ then) => {
+    for (const [name, value] of Object.entries(parts(then))) if (name !== 'marks') assert.deepEqual(parts(now)[name], value, name);
+    assert.deepEqual(now.marks.edits.slice(0, 2), then.marks.edits.slice(0, 2));
+  };
+  store.dispatch({ type: 'gotoMark', done: 2 });
+  same(store.state, before);
+  store.dispatch({ type: 'gotoMark', done: 3 });
+  same(store.state, made);
+  assert.deepEqual(store.state.marks, made.marks);
+  store.dispatch({ type: 'gotoMark', done: 0 });
+  same(store.state, before);
+  const late = { id: 990, name: 'z.png', file: new File([/** @type {BlobPart} */ (SCAN)], 'z.png') };
+  store.dispatch({ type: 'files', files: [...store.state.files, late], truth: null });
+  store.dispatch({ type: 'options', options: { cameras: { name: 'own.json', text: '{"cameras": []}' } } });
+  store.dispatch({ type: 'gotoMark', done: 3 });
+  assert.deepEqual(names(store.state.files), ['IMG_7.jpg', 'a-film.png', 'b-film.png', 'z.png']);
+  assert.equal(store.state.options.cameras.name, 'own.json');
+  store.dispatch({ type: 'gotoMark', done: 2 });
+  assert.deepEqual(names(store.state.files), ['IMG_7.jpg', 'a.png', 'b.png', 'z.png']);
+
+  // What is kept of the step names its files, and is the step again with them.
+  const keptFile = (/** @type {any} */ { id, name }) => ({ id, name, file: `file ${id}` });
+  const keep = page.keep_steps.keptMarkSteps(keptFile);
+  const kept = keep(made.marks);
+  assert.equal(keep({ ...made.marks }).edits[2], kept.edits[2]);
+  const files_ = new Map(page.keep_steps.filesOfSteps(made.marks).map((/** @type {any} */ one) => [one.id, one]));
+  const read = page.keep_steps.keptStepFrom((/** @type {any} */ value) => value);
+  const again_ = { edits: structuredClone(kept.edits).map((/** @type {any} */ step) => read(step, 'step')), done: kept.done };
+  assert.deepEqual(
+    page.keep_steps.markStepsFrom(again_, (/** @type {any} */ { id }) => files_.get(id)),
+    made.marks,
+  );
+
   // Two masks of one scan are refused before anything is made.
   const again = taking();
   await again.take({ 'a.png': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS });
@@ -168,6 +223,21 @@ test('masks and image measurements of scans become those of their frames, by fil
   await page.frames.takeFrames(again.store, engine, () => {});
   assert.match(again.store.state.notice.text, /^No images were made of the scans: .*a_mask\.png and a\.png/);
   assert.deepEqual(names(again.store.state.files), ['a.png']);
+});
+
+test('marks far off are named where images are made of their scans', async () => {
+  const { store, take } = taking();
+  // A small film, 20 px a mm.
+  const fine = FIDUCIALS.replaceAll('50', '5').replaceAll('40', '4');
+  const off = fine.replace('220,180', '229,172');
+  await take({ 'a.png': SCAN, 'b.png': SCAN, 'film.json': CAMERA, 'a.csv': fine, 'b.csv': off });
+  const { film } = store.state.placing;
+  assert.match(page.scan_marks.marksFarOff(film.marks, store.state.files), /^b\.png: σ₀ of its marks is [\d.]+ px of the scan; /);
+  await page.frames.takeFrames(store, engineOf(0.05), () => {});
+  assert.match(store.state.notice.text, /^2 scans were resampled .* b\.png: σ₀ of its marks is /);
+  const many = Array.from({ length: 6 }, (_, k) => ({ name: `s${k}.png` }));
+  const tables = many.map((_, k) => ({ name: `s${k}.csv`, text: off }));
+  assert.match(page.scan_marks.marksFarOff(tables, many), /s2\.png.* The marks of 3 more scans lie far off, too\.$/);
 });
 
 test('a frame is called by its scan, whatever signs its name has', async () => {

@@ -136,6 +136,24 @@ test('marks of scans are measured two by two, used in the block, and frames are 
   await says(page, 'block-film-marks-names', /^film_0\.csv, film_1\.csv, film_2\.csv$/);
   await part(page, 'block-film-frames').click();
   await status(page, /^3 scans were resampled to images of one camera, which the block calibrates within/);
+
+  // It is a step with a name, which is undone where it was done, after a reload too, and done again.
+  const undo = part(page, 'block-film-undo');
+  await says(page, 'block-film-undo', /^Undo: make images of one camera of 3 scans$/);
+  await until(page, 'the step is kept', async () => (await partsKept(page, 'block')).get('block/marks')?.done === 1);
+  await page.reload();
+  await part(page, 'tab-block-orthophoto').click();
+  await undo.click();
+  await says(page, 'block-film-marks-names', /^film_0\.csv, film_1\.csv, film_2\.csv$/);
+  await page.waitForFunction(() => document.activeElement?.getAttribute('data-testid') === 'block-film-frames');
+  assert.ok(await undo.isHidden());
+  await page.keyboard.press('Control+Shift+Z');
+  await says(page, 'block-film-undo', /^Undo: make images of one camera of 3 scans$/);
+  await says(page, 'block-film-marks-names', /^No fiducial marks/);
+  await page.keyboard.press('Control+z');
+  await says(page, 'block-film-marks-names', /^film_0\.csv/);
+  await part(page, 'block-film-frames').click();
+  await status(page, /^3 scans were resampled to images of one camera/);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -4,6 +4,7 @@ import type { BlockEdit, HandMeasurement, PointImage, PointSource, Remark } from
 
 import type { AddedControl } from '../state/added';
 import type { EditStep } from '../state/edits';
+import type { FramesStep } from '../state/framing';
 import type { MarkStep } from '../state/marks';
 import { say } from '../../shared/text/words';
 
@@ -19,12 +20,12 @@ function bytesOf(edit: BlockEdit): number {
   return OF_ONE * Math.max(1, ...lists.map(({ length }) => length));
 }
 
-export function bytesOfMarks(step: MarkStep): number {
+export function bytesOfMarks(step: Exclude<MarkStep, FramesStep>): number {
   return OF_ONE * Math.max(1, step.kind === 'remove_images' ? step.files.length : step.marks.length);
 }
 
 /** @throws Error naming the field that is damaged */
-export function markStepFrom(value: unknown, name: string): MarkStep {
+export function markStepFrom(value: unknown, name: string): Exclude<MarkStep, FramesStep> {
   const { kind, marks, files, after } = objectOf(value, name);
   if (kind === 'remove_images') return { kind, files: listOf(files, `${name}.files`, (id, at) => likeOf(id, 0, at)), after: likeOf(after, 0, `${name}.after`) };
   return {

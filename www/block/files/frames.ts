@@ -18,6 +18,7 @@ import type { MadeFrame } from '../engine/frames';
 import type { PlacingEngine } from '../engine/placing';
 import type { TextFile } from '../state/file';
 import { filmOf, frameName, framesOf, isOfFrames, NO_FILM, stemOf } from '../state/film';
+import { marksFarOff } from '../state/scan-marks';
 import { marksByHand, withMeasurements } from '../state/marks';
 import type { BlockFile, BlockOptions } from '../state/state';
 import { newId } from './ids';
@@ -57,9 +58,9 @@ function masksOf(scans: readonly BlockFile[], masks: readonly BlockFile[]): (Blo
   return [...masks_of_images(names(scans), names(masks))].map((index) => masks[index]);
 }
 
-/** What was given meanwhile stays. */
+/** One step, which is undone and done again. What was given meanwhile stays. */
 function replace(store: BlockStore, frames: readonly MadeFrame[]): void {
-  const { files, truth, options, marks } = store.state;
+  const { files, options, marks, placing, history } = store.state;
   const made = new Map(frames.map((frame) => [frame.of, frame]));
   const scans = files.filter(({ id }) => made.has(id));
   const { pattern, file: cameras } = camerasOf(frames, files, options.cameras);
@@ -72,10 +73,9 @@ function replace(store: BlockStore, frames: readonly MadeFrame[]): void {
   const ownMasks = frames.map(({ of, mask }) => imageOf(files, of, mask, pattern));
   // Those of the scans are in the masks of their frames.
   const former = new Set([...masksOf(scans, options.masks), ...options.masks.filter(({ name }) => ownMasks.some((own) => own.name === name))]);
-  const masks = [...options.masks.filter((mask) => !former.has(mask)), ...ownMasks];
-  const images = files.map((file) => {
-    const frame = made.get(file.id);
-    return frame === undefined ? file : imageOf(files, file.id, frame.image, pattern);
+  const images = scans.flatMap(({ id }) => {
+    const frame = made.get(id);
+    return frame === undefined ? [] : [imageOf(files, id, frame.image, pattern)];
   });
   const measured = new Carried(
     scans.flatMap(({ id, name }) => {
@@ -84,16 +84,23 @@ function replace(store: BlockStore, frames: readonly MadeFrame[]): void {
     }),
   );
   const ofFile = measured.table(options.marks);
-  const byHand = withMeasurements(marks, (rows) => measured.rows(rows));
-  // Steps that were undone or replaced go along, too; told is what holds.
+  const steps = marks.edits.slice(0, marks.done);
+  const masks = [...options.masks.filter((mask) => !former.has(mask)), ...ownMasks];
+  store.dispatch({
+    type: 'mark',
+    step: {
+      kind: 'make_frames',
+      scans: { images: scans, masks: options.masks, cameras: options.cameras, marks: options.marks, film: placing.film, steps },
+      frames: { images, masks, cameras, marks: ofFile, film: NO_FILM, steps: withMeasurements(steps, (rows) => measured.rows(rows)) },
+      after: history.done,
+    },
+  });
+  // Measurements that were replaced go along, too; told is what holds.
   measured.count(marksByHand(marks));
-  store.dispatch({ type: 'files', files: images, truth });
-  store.dispatch({ type: 'options', options: { masks, cameras, marks: ofFile } });
-  store.dispatch({ type: 'marks', marks: byHand });
-  store.dispatch({ type: 'film', film: NO_FILM });
+  const far = marksFarOff(placing.film.marks, files);
   const isKnown = frames.every(({ camera }) => camera.fixed);
   const text = say('scans-became-frames', { frames: frames.length, known: isKnown ? 'yes' : 'no' });
-  store.dispatch({ type: 'notice', notice: { kind: 'info', text: [text, ...measured.said()].join(' ') } });
+  store.dispatch({ type: 'notice', notice: { kind: 'info', text: [text, far, ...measured.said()].filter((said) => said !== '').join(' ') } });
 }
 
 /** Image measurements that are carried from scans to their frames. */

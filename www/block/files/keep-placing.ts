@@ -86,7 +86,7 @@ export function placingFrom(
 }
 
 /** Projects of earlier versions have none. */
-function filmFrom(given: unknown): GivenFilm {
+export function filmFrom(given: unknown): GivenFilm {
   if (given === undefined) return NO_FILM;
   const { camera, marks, areScans, begun = [] } = objectOf(given, 'placing.film');
   return {
@@ -110,7 +110,7 @@ function markFrom(given: unknown, name: string): Fiducial {
   return { col: number(mark.col), row: number(mark.row), x_mm: number(mark.x_mm), y_mm: number(mark.y_mm) };
 }
 
-function textFrom(given: unknown, name: string): TextFile {
+export function textFrom(given: unknown, name: string): TextFile {
   const { name: called, text } = objectOf(given, name);
   return { name: likeOf(called, '', `${name}.name`), text: likeOf(text, '', `${name}.text`) };
 }

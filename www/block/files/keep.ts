@@ -15,13 +15,14 @@ import type { BlockCatalogue, BlockFile, BlockState, Shown, TextFile } from '../
 import type { EditStep } from '../state/edits';
 import type { Former } from '../state/former';
 import type { ImageVerdict, OnGround } from '../state/placing';
-import { bytesOfMarks, bytesOfStep, markStepFrom, stepFrom } from './edit';
+import { bytesOfStep, stepFrom } from './edit';
 import { withPresentKeys } from './earlier-keys';
 import { goesOn, RunUnderWay } from './going-on';
 import { passIds } from './ids';
 import { draftFrom, draftParts, linkParts, withLink } from './keep-draft';
 import { formerFrom, formerParts, placesFrom } from './keep-former';
 import { keptPlacing, placingFrom, rastersOf, sizeOfPlaced } from './keep-placing';
+import { bytesOfKept, filesOfSteps, keptMarkSteps, keptStepFrom, markStepsFrom } from './keep-steps';
 import { messageOf } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
 
@@ -39,7 +40,8 @@ export class KeptBlocks implements Keepable {
   /** The finished block on the screen as it is kept; null until its file is written. */
   private made: { found: Shown['found']; kept: KeptShown } | null = null;
   private readonly journal = new Journal('block/edits', stepFrom, bytesOfStep);
-  private readonly marks = new Journal('block/marks', markStepFrom, bytesOfMarks);
+  private readonly marks = new Journal('block/marks', keptStepFrom(fileOf), bytesOfKept);
+  private readonly keptMarks = keptMarkSteps(keptFile);
   private readonly underWay: RunUnderWay;
   private making: Promise<void> | null = null;
   private changed: () => void = () => undefined;
@@ -95,11 +97,11 @@ export class KeptBlocks implements Keepable {
     });
     for (const [id, placed] of placing.placed) parts.set(PLACED + String(id), { value: placed, bytes: sizeOfPlaced(placed) });
     if (truth !== null) parts.set(FILE + nameOf(truth), { value: truth, bytes: SMALL, alone: true });
-    for (const { file } of [...files, ...removed, ...besidesOf(options), ...(shown?.files ?? []), ...rastersOf(placing)])
+    for (const { file } of [...files, ...removed, ...besidesOf(options), ...(shown?.files ?? []), ...rastersOf(placing), ...filesOfSteps(state.marks)])
       parts.set(FILE + nameOf(file), { value: file, bytes: file.size, alone: true });
     const { made } = this;
     for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
-    for (const [name, part] of this.marks.parts(state.marks)) parts.set(name, part);
+    for (const [name, part] of this.marks.parts(this.keptMarks(state.marks))) parts.set(name, part);
     for (const [name, part] of formerParts(state.former, state.history)) parts.set(name, part);
     for (const [name, part] of [...draftParts(state.draft, state.panes.images), ...linkParts(placing), ...this.underWay.parts()]) parts.set(name, part);
     if (made !== null && made.found === shown?.found)
@@ -122,7 +124,7 @@ export class KeptBlocks implements Keepable {
     const given = placingFrom(kept.placing, placed, this.catalogue, fileOf, (file) => fileFrom(parts, file));
     const placing = withLink(withPresentKeys(given, files, kept.options), parts);
     const history = this.journal.read(parts);
-    const marks = this.marks.read(parts);
+    const marks = markStepsFrom(this.marks.read(parts), (file) => fileFrom(parts, file));
     const { former, damage } = formerOrNone(parts, history);
     const finished = await this.finished(parts, history);
     const truth = orNull(kept.truth, (name) => truthFrom(parts, name));
@@ -135,7 +137,9 @@ export class KeptBlocks implements Keepable {
     const draft = shown === null ? null : draftFrom(parts, count);
     const opened = kept.opened?.every((image) => image < count) === true ? kept.opened : null;
     return () => {
-      passIds([...files, ...removed, ...besidesOf({ masks, geoid }), ...(shown?.files ?? []), ...rastersOf(placing)].map(({ id }) => id));
+      passIds(
+        [...files, ...removed, ...besidesOf({ masks, geoid }), ...(shown?.files ?? []), ...rastersOf(placing), ...filesOfSteps(marks)].map(({ id }) => id),
+      );
       this.engine.takeRecords(records);
       this.made = finished === null ? null : { found: finished.shown.found, kept: finished.kept };
       finished?.hold();

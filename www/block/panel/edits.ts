@@ -1,6 +1,7 @@
 import type { BlockStore } from '../engine/engine';
 import { isEditable } from '../state/editing';
 import { editOfChoice, standingOf } from '../state/edits';
+import { framesOthers } from '../state/framing';
 import { listedChoice } from '../state/listed';
 import { withoutLast } from '../state/draft';
 import { addedPoints } from '../state/added';
@@ -50,7 +51,8 @@ export function goTo(store: BlockStore, { edits, marks: steps }: Held): void {
   const { state } = store;
   if (edits !== state.history.done && !isEditable(state)) return;
   // The block is run for other images.
-  if (removesOthers(state.marks, { ...state.marks, done: steps }) && isBusy(state)) {
+  const hasOthers = removesOthers(state.marks, { ...state.marks, done: steps }) || framesOthers(state.marks, steps);
+  if (hasOthers && isBusy(state)) {
     store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('edits-wait-for-the-run'), beside: true } });
     return;
   }

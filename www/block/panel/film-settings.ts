@@ -1,11 +1,17 @@
 /** What is given of scanned film: its camera, and the fiducial marks of each scan, by which scans are placed on an orthophoto, or become images of a block. */
 import { button, fill, h } from '../../shared/panel/dom';
+import { passFocus } from '../../shared/panel/focus';
+import { set } from '../../shared/panel/history';
 import { fileButton } from '../../shared/panel/picker';
 import { say } from '../../shared/text/words';
 import type { BlockStore } from '../engine/engine';
 import type { BlockFiles } from '../files/files';
 import { framesOf, marksOfNone, possibleScans } from '../state/film';
-import { countedScans } from '../state/scan-marks';
+import { isFramesStep } from '../state/framing';
+import { nameOfMarks } from '../state/naming';
+import { timelineOf } from '../state/timeline';
+import { stepBy } from './edits';
+import { countedScans, marksFarOff } from '../state/scan-marks';
 import { isBusy } from '../state/state';
 import { declareLack } from '../../shared/panel/lack';
 import { lackOfImages } from '../state/lacks';
@@ -37,6 +43,10 @@ export function filmFields(store: BlockStore, files: BlockFiles, measureMarks: (
     const { film } = store.state.placing;
     return film.camera === null || film.marks.length === 0 ? say('needs-marked-scans') : '';
   });
+  const undo = button('', 'block-film-undo', () => {
+    stepBy(store, -1);
+    passFocus(undo, [frames]);
+  });
   const cameraName = h('p', { class: 'note', testid: 'block-film-camera-name' });
   const marksNames = h('p', { class: 'note', testid: 'block-film-marks-names' });
   const counted = h('p', { class: 'note', testid: 'block-film-counted' });
@@ -57,9 +67,18 @@ export function filmFields(store: BlockStore, files: BlockFiles, measureMarks: (
     const more = film.marks.length > LISTED ? ' …' : '';
     fill(marksNames, names.length === 0 ? say('none-marks-of-scans', { example: '1963_017.csv', image: '1963_017.tif' }) : names.join(', ') + more);
     const [lone] = marksOfNone(film, images);
-    const text =
-      lone !== undefined ? say('marks-of-no-image', { name: lone }) : film.marks.length > 0 && film.camera === null ? say('marks-need-their-camera') : '';
+    const lacksCamera = film.marks.length > 0 && film.camera === null ? say('marks-need-their-camera') : '';
+    const text = lone !== undefined ? say('marks-of-no-image', { name: lone }) : lacksCamera || marksFarOff(film.marks, images);
     if (problem.textContent !== text) problem.textContent = text;
+  });
+  store.watch(['history', 'marks', 'draft', 'running', 'notice'], ([, marks, draft]) => {
+    const { edits, done } = timelineOf(store.state);
+    const last = edits[done - 1];
+    const step = last?.of === 'marks' ? marks.edits[last.at] : undefined;
+    // Where nothing was done since; what is measured would be taken back first.
+    const isLast = step !== undefined && isFramesStep(step) && draft === null;
+    undo.hidden = !isLast;
+    set(undo, isLast ? say('undo-3', { undo: nameOfMarks(step) }) : '', isBusy(store.state));
   });
   return h(
     'fieldset',
@@ -76,6 +95,6 @@ export function filmFields(store: BlockStore, files: BlockFiles, measureMarks: (
       cameraInput,
       marksInput,
     ),
-    h('div', { class: 'control' }, frames, h('p', { class: 'help' }, say('make-frames-help'))),
+    h('div', { class: 'control' }, h('div', { class: 'buttons' }, frames, undo), h('p', { class: 'help' }, say('make-frames-help'))),
   );
 }

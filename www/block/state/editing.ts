@@ -15,6 +15,7 @@ import type { Choice } from './selection';
 import { withRemoved } from './removing';
 import { figuresOf, UNEDITED } from './edited';
 import { choiceOfDraft, nameOfDraft, stepOfDraft } from './draft';
+import { isFramesStep, withFrames } from './framing';
 import { awaitedOf, formerOf, nameOfTiePoints, placesBefore, wayBack, withFormer } from './former';
 import type { Awaiting, Former } from './former';
 import type { Draft, Edits } from './edited';
@@ -37,12 +38,10 @@ export type EditsAction =
   | { type: 'draft'; draft: Draft | null }
   /** What is placed of the point that is measured is taken; `leaves`: the user goes on to something else, so that it is said. */
   | { type: 'accept'; leaves: boolean }
-  /** Measurements of control points are taken, or taken away, or images taken out. */
+  /** Measurements of control points are taken, or taken away, or images taken out, or made of scans. */
   | { type: 'mark'; step: MarkStep }
   /** So many of these steps hold. */
-  | { type: 'gotoMark'; done: number }
-  /** The same steps with measurements in other images. */
-  | { type: 'marks'; marks: History<MarkStep> };
+  | { type: 'gotoMark'; done: number };
 
 /** Whether the block on the screen can be edited. */
 export function isEditable({ shown, running }: Pick<BlockState, 'shown' | 'running'>): boolean {
@@ -87,12 +86,10 @@ export function reduceEdits(state: BlockState, action: EditsAction): BlockState 
       return { ...state, ...refused(state), notice };
     }
     case 'mark':
-      if (action.step.kind !== 'remove' && !isEditable(state)) return state;
-      return withRemoved({ ...state, marks: recorded(state.marks, action.step), draft: null, notice: afterEdit(state) });
+      if (action.step.kind !== 'remove' && !isFramesStep(action.step) && !isEditable(state)) return state;
+      return withSteps(state, recorded(state.marks, action.step));
     case 'gotoMark':
-      return withRemoved({ ...state, marks: wentTo(state.marks, action.done), draft: null, notice: afterEdit(state) });
-    case 'marks':
-      return { ...state, marks: action.marks };
+      return withSteps(state, wentTo(state.marks, action.done));
     case 'accept':
       return accepted(state, action.leaves);
     case 'draft':
@@ -118,6 +115,11 @@ function accepted(state: BlockState, leaves: boolean): BlockState {
       beside: true,
     },
   };
+}
+
+/** The state after other steps beside the edits. */
+function withSteps(state: BlockState, marks: History<MarkStep>): BlockState {
+  return withRemoved(withFrames({ ...state, marks, draft: null, notice: afterEdit(state) }, state.marks.done));
 }
 
 /** What is under way is still said. */

@@ -5,6 +5,7 @@ import type { History } from '../../shared/state/history';
 import type { Position } from '../../shared/state/pane';
 import { remember } from '../../shared/state/remember';
 import type { TextFile } from './file';
+import type { FramesStep } from './framing';
 import type { Purpose } from './placing';
 import type { BlockView } from './view';
 
@@ -18,7 +19,13 @@ export type MarkStep =
   /** Measurements of a point that are taken, or taken away. Images and points by their names. */
   | { kind: 'measure' | 'remove'; marks: readonly ImageMeasurementRow[]; after: number }
   /** Images that are taken out of the block, by the ids of their files. */
-  | { kind: 'remove_images'; files: readonly number[]; after: number };
+  | { kind: 'remove_images'; files: readonly number[]; after: number }
+  | FramesStep;
+
+/** A step on measurements alone. */
+export type MeasureStep = Extract<MarkStep, { marks: unknown }>;
+
+export const isMeasureStep = (step: MarkStep): step is MeasureStep => 'marks' in step;
 
 interface Named {
   name: string;
@@ -58,7 +65,7 @@ const keyOf = ({ image, point }: ImageMeasurementRow): string => JSON.stringify(
 export const marksByHand = remember(({ edits, done }: History<MarkStep>): readonly ImageMeasurementRow[] => {
   const held = new Map<string, ImageMeasurementRow>();
   for (const step of edits.slice(0, done)) {
-    if (step.kind === 'remove_images') continue;
+    if (!isMeasureStep(step)) continue;
     for (const mark of step.marks) {
       held.delete(keyOf(mark));
       if (step.kind === 'measure') held.set(keyOf(mark), mark);
@@ -158,12 +165,10 @@ export function besideEdits(marks: History<MarkStep>, place: (after: number, at:
   return { ...marks, edits: marks.edits.map((step, at) => ({ ...step, after: places[at] ?? step.after })) };
 }
 
-/** The steps with other measurements in place of theirs; a step that has none left is gone. */
+/** The steps with other measurements in place of theirs; one that has none left is still a step. */
 export function withMeasurements(
-  { edits, done }: History<MarkStep>,
+  steps: readonly MarkStep[],
   other: (marks: readonly ImageMeasurementRow[]) => readonly ImageMeasurementRow[],
-): History<MarkStep> {
-  const steps = edits.map((step) => (step.kind === 'remove_images' ? step : { ...step, marks: other(step.marks) }));
-  const stays = (step: MarkStep) => step.kind === 'remove_images' || step.marks.length > 0;
-  return { edits: steps.filter(stays), done: steps.slice(0, done).filter(stays).length };
+): readonly MarkStep[] {
+  return steps.map((step) => (isMeasureStep(step) ? { ...step, marks: other(step.marks) } : step));
 }

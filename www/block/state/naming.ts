@@ -60,9 +60,11 @@ export function nameOfStep(step: EditStep, names: Names = NO_NAMES): string {
 /** What was done to measurements of control points, or to the images. */
 export function nameOfMarks(step: MarkStep): string {
   if (step.kind === 'remove_images') return say('step-remove-images', { images: step.files.length });
+  if (step.kind === 'make_frames') return say('step-make-frames', { scans: step.scans.images.length });
   const { kind, marks } = step;
   const [first] = marks;
-  if (first === undefined) return say('nothing');
+  // Their places are beside the images that were made of scans.
+  if (first === undefined) return say('step-beside-images');
   const images = marks.length === 1 ? first.image : say('so-many-images', { images: marks.length });
   return kind === 'measure' ? say('step-measure-in', { verb: 'measure', what: first.point, images }) : say('step-unmark', { what: first.point, images });
 }

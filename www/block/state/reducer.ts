@@ -4,7 +4,7 @@ import type { BlockEdit, BlockFlight, BlockModel, Parameter, PlaceAgain } from '
 import { NO_HISTORY } from '../../shared/state/history';
 import type { Notice } from '../../shared/state/notice';
 import type { BlockCatalogue, BlockFile, BlockOptions, BlockState, Shown, ViewName } from './state';
-import { BLOCK_INITIAL, openedKey } from './state';
+import { BLOCK_INITIAL, openedKey, withoutRunUnderWay } from './state';
 import { UNEDITED } from './edited';
 import { choiceOfSamePoints } from './edits';
 import type { EditStep } from './edits';
@@ -88,14 +88,14 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
         placing: { ...state.placing, options: action.catalogue.placing },
       };
     case 'files':
-      return { ...state, files: action.files, truth: action.truth, running: onOtherInput(state.running) };
+      return { ...state, files: action.files, truth: action.truth, running: withoutRunUnderWay(state.running) };
     case 'skipped':
       return { ...state, skipped: [...new Set([...state.skipped, ...action.names])] };
     case 'options':
       return {
         ...state,
         options: { ...state.options, ...action.options },
-        running: onOtherInput(state.running),
+        running: withoutRunUnderWay(state.running),
         notice: null,
         refused: action.options.settings === undefined ? state.refused : null,
       };
@@ -129,7 +129,6 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
     case 'accept':
     case 'mark':
     case 'gotoMark':
-    case 'marks':
       return reduceEdits(state, action);
     case 'placed':
       // One of a project that was left, or that was removed meanwhile.
@@ -222,11 +221,6 @@ function reduced(state: BlockState, action: BlockAction): BlockState {
 /** The view that shows what was kept: images on an orthophoto are no block, whose views would have nothing, and a link is measured on there. */
 function viewOf({ shown, placing }: Omit<RestoredBlock, 'draft'>): ViewName {
   return placing.draft !== null || (shown === null && placing.orthophoto !== null) ? 'orthophoto' : BLOCK_INITIAL.onStage;
-}
-
-/** A run that goes on keeps what it was given; of one that was ended nothing is left to take up as it was. */
-function onOtherInput(running: BlockState['running']): BlockState['running'] {
-  return running.kind === 'yes' ? running : { kind: 'no' };
 }
 
 /** What refers to the images of a block that is no longer shown. */

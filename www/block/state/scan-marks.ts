@@ -5,7 +5,8 @@ import { sentence } from '../../shared/text/format';
 import { messageOf } from '../../shared/text/messages';
 import { say } from '../../shared/text/words';
 import type { TextFile } from './file';
-import { filmOf, scansOf } from './film';
+import { remember } from '../../shared/state/remember';
+import { filmOf, NO_FILM, scansOf } from './film';
 import type { BegunScan, GivenFilm } from './film';
 import { poorMarks } from './poor-marks';
 
@@ -22,6 +23,9 @@ export interface MeasuredScan {
   /** Width and height in px, once it is open. */
   size: readonly [number, number] | null;
 }
+
+/** Fewer marks say nothing of each other. */
+const LEAST_MARKS = 4;
 
 /** So many scans are measured beside each other. */
 const TOGETHER = 2;
@@ -95,12 +99,31 @@ export function lackOf(film: GivenFilm, scans: readonly MeasuredScan[]): string 
     const { image, marks, all, withoutMm } = scan;
     const lone = withoutMm === 0 ? '' : say('marks-without-mm', { name: image, marks: withoutMm });
     const fault = marks.length === 0 ? '' : faultOf(film, scan);
-    const poor = marks.length === 0 || fault !== '' ? null : poorMarks(marks);
-    const off = poor === null ? '' : say('marks-far-off', { name: image, px: poor.sigmaPx, worst: poor.worst === null ? 0 : all.indexOf(poor.worst) + 1 });
+    const off = marks.length === 0 || fault !== '' ? '' : farOff(image, marks, all);
     return [lone, fault === '' ? '' : `${image}: ${fault}`, off].filter((text) => text !== '');
   });
   return said.join(' ');
 }
+
+/** Which of the marks lie far off; empty where none does. `all`: with those that are not measured, by which they are numbered. */
+function farOff(name: string, marks: readonly Fiducial[], all: readonly Fiducial[]): string {
+  const poor = poorMarks(marks);
+  return poor === null ? '' : say('marks-far-off', { name, px: poor.sigmaPx, worst: poor.worst === null ? 0 : all.indexOf(poor.worst) + 1 });
+}
+
+/** So many scans are named whose marks lie far off. */
+const NAMED = 3;
+
+/** Of the scans that have marks, those whose marks lie far off: images that are made of them are bent. */
+export const marksFarOff = remember((marks: GivenFilm['marks'], images: readonly { name: string }[]): string => {
+  const said = images.map(({ name }) => {
+    const own = marksOfScan({ ...NO_FILM, marks }, name);
+    return own.length < LEAST_MARKS ? '' : farOff(name, own, own);
+  });
+  const off = said.filter((text) => text !== '');
+  const more = off.length - NAMED;
+  return [...off.slice(0, NAMED), ...(more > 0 ? [say('marks-of-more-far-off', { scans: more })] : [])].join(' ');
+});
 
 /** Why the marks of a scan give no interior orientation. */
 function faultOf({ camera }: GivenFilm, { marks, size }: MeasuredScan): string {

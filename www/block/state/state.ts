@@ -164,6 +164,11 @@ export function isOutdated(state: BlockState): boolean {
   return shown.key !== '' && files.length >= 2 && shown.key !== openedKey(state);
 }
 
+/** A run that goes on keeps what it was given; of one that was ended nothing is left to take up where its input is another one. */
+export function withoutRunUnderWay(running: Running): Running {
+  return running.kind === 'yes' ? running : { kind: 'no' };
+}
+
 export function isBusy({ running, notice, placing }: BlockState): boolean {
   return running.kind === 'yes' || notice?.kind === 'busy' || placing.running !== null;
 }

@@ -399,6 +399,12 @@ marks-far-off = { $name }: قيمة σ₀ لعلاماته { FIXED($px, digits: 
         [0] إحداها مقيسة خطأ، أو كُتب x وy لها خطأ: راجع كلًّا منها.
        *[other] العلامة { COUNT($worst) } أسوؤها ملاءمة: قسها من جديد، أو صحّح x وy لها.
     }
+marks-of-more-far-off = { $scans ->
+        [one] وعلامات مسح آخر بعيدة أيضًا.
+        [two] وعلامات مسحين آخرين بعيدة أيضًا.
+        [few] وعلامات { $scans } مسوح أخرى بعيدة أيضًا.
+       *[other] وعلامات { COUNT($scans) } مسحًا آخر بعيدة أيضًا.
+    }
 marks-without-mm = { $name }: علامات بلا x وy بالمليمتر: { COUNT($marks) }؛ اكتبها تحت «الكاميرا» في الإعدادات.
 reject-matches-in-the-block = رفض { $matches ->
         [one] مطابقة واحدة
@@ -1213,6 +1219,13 @@ step-remove-images = إزالة { $images ->
         [few] { $images } صور
        *[other] { COUNT($images) } صورة
     }
+step-make-frames = تحويل { $scans ->
+        [one] مسح واحد
+        [two] مسحين
+        [few] { $scans } مسوح
+       *[other] { COUNT($scans) } مسحًا
+    } إلى صور كاميرا واحدة
+step-beside-images = قياس خارج صور المسوح
 step-unmark = إزالة قياس { $what } في { $images }
 control-waits = لا تشارك نقاط الضبط بعد: { $twice ->
     [zero] لم تُقَس أي منها

@@ -463,6 +463,10 @@ marks-far-off = { $name }: σ₀ of its marks is { FIXED($px, digits: 1) } px of
         [0] one of them is measured wrongly, or its x and y are mistyped: look at each again.
        *[other] mark { COUNT($worst) } fits worst: measure it again, or correct its x and y.
     }
+marks-of-more-far-off = { $scans ->
+        [one] The marks of 1 more scan lie far off, too.
+       *[other] The marks of { COUNT($scans) } more scans lie far off, too.
+    }
 marks-without-mm = { $name }: { $marks ->
         [one] 1 mark has
        *[other] { COUNT($marks) } marks have
@@ -1300,6 +1304,11 @@ step-remove-images = remove { $images ->
         [one] 1 image
        *[other] { COUNT($images) } images
     }
+step-make-frames = make images of one camera of { $scans ->
+        [one] 1 scan
+       *[other] { COUNT($scans) } scans
+    }
+step-beside-images = a measurement beside the images of scans
 step-unmark = remove { $what } in { $images }
 control-waits = The control points take no part yet: { $twice ->
     [0] none is

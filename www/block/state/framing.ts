@@ -1,0 +1,116 @@
+/**
+ * Images of one camera in the place of scans of film, as a step beside the edits that is undone and done again: with the images change their masks, the
+ * files of cameras and of image measurements, what was given of the film, and the measurements of the steps before, which are in px of the images. Pure.
+ */
+import type { TextFile } from './file';
+import { withoutRunUnderWay } from './state';
+import type { BlockFile, BlockOptions, BlockState } from './state';
+import type { GivenFilm } from './film';
+import type { MarkStep } from './marks';
+import type { History } from '../../shared/state/history';
+
+/** What a block has of scans, or of the images that were made of them. */
+export interface Framing {
+  images: readonly BlockFile[];
+  /** All of the block. */
+  masks: readonly BlockFile[];
+  cameras: TextFile | null;
+  marks: TextFile | null;
+  film: GivenFilm;
+  /** The steps before this one, with their measurements in these images. */
+  steps: readonly MarkStep[];
+}
+
+export interface FramesStep {
+  kind: 'make_frames';
+  scans: Framing;
+  frames: Framing;
+  /** So many edits of the block held then. */
+  after: number;
+}
+
+export const isFramesStep = (step: MarkStep): step is FramesStep => step.kind === 'make_frames';
+
+/** The places of such steps that hold by one history and not by the other. */
+function between({ edits }: History<MarkStep>, from: number, to: number): FramesStep[] {
+  return edits.slice(from, to).filter(isFramesStep);
+}
+
+/** Whether scans are in the place of their images, or these in place of the scans, by one history and not by another that has as many steps. */
+export function framesOthers(marks: History<MarkStep>, done: number): boolean {
+  return between(marks, Math.min(marks.done, done), Math.max(marks.done, done)).length > 0;
+}
+
+/** The state with what the steps beside the edits say now, of what it had after `before` of them. */
+export function withFrames(state: BlockState, before: number): BlockState {
+  const { marks } = state;
+  const back = between(marks, marks.done, before).reverse();
+  const again = between(marks, before, marks.done);
+  const undone = back.reduce((now, step) => exchanged(now, step, step.frames, step.scans), state);
+  return again.reduce((now, step) => exchanged(now, step, step.scans, step.frames), undone);
+}
+
+/** What was given meanwhile stays. */
+function exchanged(state: BlockState, step: FramesStep, from: Framing, into: Framing): BlockState {
+  const { files, removed, options, placing, marks } = state;
+  return {
+    ...state,
+    files: imagesAfter(files, from, into),
+    removed: without(removed, from.images),
+    options: { ...options, ...optionsAfter(options, from, into) },
+    placing: { ...placing, film: filmAfter(placing.film, from.film, into.film) },
+    marks: { ...marks, edits: stepsAfter(marks.edits, marks.edits.indexOf(step), into.steps) },
+    running: withoutRunUnderWay(state.running),
+  };
+}
+
+function without(files: readonly BlockFile[], gone: readonly BlockFile[]): readonly BlockFile[] {
+  const ids = new Set(gone.map(({ id }) => id));
+  return files.some(({ id }) => ids.has(id)) ? files.filter(({ id }) => !ids.has(id)) : files;
+}
+
+/** In the places of those that go, where they are all there; an image that has the name of one keeps it. */
+function imagesAfter(files: readonly BlockFile[], from: Framing, into: Framing): readonly BlockFile[] {
+  const successors = new Map(from.images.map(({ id }, k) => [id, into.images[k]]));
+  const names = new Set(without(files, from.images).map(({ name }) => name));
+  const isFree = (file: BlockFile | undefined): file is BlockFile => file !== undefined && !names.has(file.name);
+  return files.flatMap((file) => {
+    if (!successors.has(file.id)) return [file];
+    const next = successors.get(file.id);
+    return isFree(next) ? [next] : [];
+  });
+}
+
+/** Files that somebody gave in place of those of the step stay. */
+function optionsAfter(options: BlockOptions, from: Framing, into: Framing): Pick<BlockOptions, 'masks' | 'cameras' | 'marks'> {
+  const given = (now: TextFile | null, before: TextFile | null, then: TextFile | null) => (now?.text === before?.text ? then : now);
+  const isSame = options.masks.length === from.masks.length && options.masks.every(({ id }, k) => id === from.masks[k]?.id);
+  const others = without(options.masks, without(from.masks, into.masks));
+  return {
+    // In their order, by which a block knows what it was made from.
+    masks: isSame ? into.masks : [...others, ...without(into.masks, [...from.masks, ...others])],
+    cameras: given(options.cameras, from.cameras, into.cameras),
+    marks: given(options.marks, from.marks, into.marks),
+  };
+}
+
+/** With what else is given of film. */
+function filmAfter(now: GivenFilm, from: GivenFilm, into: GivenFilm): GivenFilm {
+  const names = new Set([...from.marks, ...into.marks].map(({ name }) => name));
+  const images = new Set([...from.begun, ...into.begun].map(({ image }) => image));
+  return {
+    camera: now.camera?.text === from.camera?.text ? into.camera : now.camera,
+    marks: [...into.marks, ...now.marks.filter(({ name }) => !names.has(name))],
+    areScans: into.areScans || (now.areScans && !from.areScans),
+    begun: [...into.begun, ...now.begun.filter(({ image }) => !images.has(image))],
+  };
+}
+
+/** After as many edits of the block as the steps that they take the place of. */
+function stepsAfter(edits: readonly MarkStep[], at: number, before: readonly MarkStep[]): readonly MarkStep[] {
+  const placed = before.slice(0, at).map((step, i) => {
+    const { after = step.after } = edits[i] ?? {};
+    return after === step.after ? step : { ...step, after };
+  });
+  return [...placed, ...edits.slice(placed.length)];
+}
