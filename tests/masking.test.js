@@ -193,10 +193,37 @@ test('steps that are asked for at once are gone at once, in both images; what is
   await Promise.all([masking.step(-1), masking.step(-1), masking.step(-1), masking.step(1)]);
   assert.deepEqual([store.state.maskSteps.done, pixels('left'), store.state.masks.right], [1, first, null]);
   assert.equal(asked.length, before + 1);
+  const again = masking.step(1);
   draw(3, 3);
-  await Promise.all([masking.step(1), masking.paint(true), masking.step(-1)]);
+  await Promise.all([again, masking.paint(true), masking.step(-1)]);
   assert.deepEqual(named(store), ['mask an area of 1.png', 'mask an area of 2.png', 'mask an area of 1.png']);
   assert.deepEqual([store.state.maskSteps.done, pixels('left')], [2, first]);
+});
+
+test('while an area is outlined its last corner is the last step, and no step on masks is taken back or made again', async () => {
+  const { store, masking, draw, asked } = painted();
+  draw();
+  await masking.paint(true);
+  await masking.step(-1);
+  for (const at of [
+    [3, 3],
+    [7, 3],
+    [7, 7],
+  ])
+    masking.place('left', at);
+  const before = asked.length;
+  const corners = store.state.outline.corners.length;
+  await masking.step(1);
+  assert.equal(store.state.outline.corners.length, corners);
+  for (let left = corners - 1; left > 0; left--) {
+    await masking.step(-1);
+    assert.equal(store.state.outline.corners.length, left);
+  }
+  await masking.step(-1);
+  assert.equal(store.state.outline, null);
+  assert.deepEqual([asked.length, store.state.maskSteps.done], [before, 0]);
+  await masking.step(1);
+  assert.equal(store.state.maskSteps.done, 1);
 });
 
 test('steps go with their image; in place of a mask whose file is not there another one is given', async () => {

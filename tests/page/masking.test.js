@@ -105,8 +105,27 @@ test('an area is outlined by keys alone, and given up', { skip: SKIP }, async ()
   await move('ArrowLeft');
   await page.keyboard.press('Backspace');
   await says(page, 'mask-text', /^An area of 3 corners/);
+  // The last corner is the last step, by its keys and by its button, whose name says so; none can be made again.
+  await offers(page, 'mask-undo', 'Undo: the last part of the outline');
+  await page.keyboard.press('Control+z');
+  await says(page, 'mask-text', /^2 corners/);
+  await page.keyboard.press('Control+y');
+  await part(page, 'mask-undo').click();
+  await says(page, 'mask-text', /^One corner/);
+  await part(page, 'view').focus();
+  await move('ArrowRight');
+  await says(page, 'mask-text', /^2 corners/);
+  // Escape gives up the outline alone, wherever the keyboard is: a menu that is unfolded over it goes first.
+  await part(page, 'view-light').click();
+  assert.equal(await part(page, 'view-light').getAttribute('aria-expanded'), 'true');
+  await page.keyboard.press('Escape');
+  assert.equal(await part(page, 'view-light').getAttribute('aria-expanded'), 'false');
+  await says(page, 'mask-text', /^2 corners/);
+  await page.evaluate(() => document.activeElement instanceof HTMLElement && document.activeElement.blur());
   await page.keyboard.press('Escape');
   await says(page, 'mask-text', /^Draw round/);
+  assert.ok(await part(page, 'masking').isVisible());
+  await part(page, 'view').focus();
   await move();
   await move('ArrowRight', 'ArrowRight');
   await move('ArrowDown', 'ArrowDown');

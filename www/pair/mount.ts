@@ -165,7 +165,7 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
     view.takeKeys();
   };
   mountDraft(byId('toolbar'), store, editing, { follow: () => navigator.followDraft(), begun: measured, ended: () => view.takeKeys() });
-  mountMasking(byId('view-more'), byId('toolbar'), store, masking, { paint, step: stepMasks });
+  mountMasking(byId('view-more'), byId('toolbar'), store, masking, { paint, step: stepMasks, giveUp: () => void editing.leave() });
   mountMarking(byId('toolbar'), store, marking);
   await breath();
   const pick = pickerOf(files);

@@ -2,10 +2,11 @@
 import { button, byId, h } from '../../shared/panel/dom';
 import { passFocus } from '../../shared/panel/focus';
 import { showSteps, undoKeys } from '../../shared/panel/history';
+import { declare } from '../../shared/view/commands';
 import { save } from '../../shared/files/save';
 import { say } from '../../shared/text/words';
 import { marksHaveKeys } from './marking';
-import { nameOfMaskStep } from '../state/mask-steps';
+import { nameOfMaskStep, stepsWithOutline } from '../state/mask-steps';
 import type { Masking } from '../state/masking';
 import { SIDES } from '../state/state';
 import type { Side, State } from '../state/state';
@@ -16,10 +17,11 @@ import { declareLack } from '../../shared/panel/lack';
 export interface MaskDeeds {
   paint: (masked: boolean) => void;
   step: (by: 1 | -1) => void;
+  giveUp: () => void;
 }
 
 /** The tool with those of the pictures, its buttons in the bar above them. */
-export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, masking: Masking, { paint, step }: MaskDeeds): void {
+export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, masking: Masking, { paint, step, giveUp }: MaskDeeds): void {
   const tool = button(say('mask-areas'), 'tool-mask', () => masking.toggle(), say('outline-areas-in-which-no'));
   const text = h('span', { testid: 'mask-text', role: 'status' });
   const mask = button(say('mask-it'), 'mask-area', () => paint(true), say('no-points-in-the-outlined'));
@@ -46,6 +48,16 @@ export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, 
     () => byId('view').offsetParent !== null && store.state.tool === 'mask' && !marksHaveKeys(store.state),
     step,
   );
+  // Of the outline, wherever the keyboard is; in the pictures their own keys have done it before.
+  const leave = declare({
+    where: say('anywhere-while-masking'),
+    host: buttons,
+    list: [{ keys: ['Escape'], does: say('gives-the-outline-up'), can: () => store.state.outline !== null && byId('view').offsetParent !== null, run: giveUp }],
+  });
+  document.addEventListener('keydown', (event) => {
+    if (event.defaultPrevented || (event.target instanceof Element && event.target.closest('input, textarea, select, dialog') !== null)) return;
+    if (leave(event.key, event.shiftKey)) event.preventDefault();
+  });
   bar.append(buttons);
   store.watch(
     (s) => [s.tool, s.outline, s.images, s.masks, s.maskSteps] as const,
@@ -57,7 +69,7 @@ export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, 
       buttons.hidden = state.tool !== 'mask';
       mask.disabled = !masking.isArea();
       unmask.disabled = mask.disabled;
-      showSteps(undo, redo, state.maskSteps, (one) => nameOfMaskStep(one, state.images));
+      showSteps(undo, redo, stepsWithOutline(state), (one) => nameOfMaskStep(one, state.images));
       keep.disabled = SIDES.every((side) => fileOf(state, side) === null);
       // Keys of the pictures go on from a button that has done its work.
       if (buttons.contains(held)) passFocus(held, [byId('view')]);

@@ -37,8 +37,17 @@ export function withGivenMask({ masks, givenMasks, maskSteps }: State, side: Sid
   return { masks: { ...masks, [side]: mask }, ...isGiven };
 }
 
+/** What is done of an area before it is masked: a corner of its outline. */
+export const CORNER = 'corner';
+
+/** The steps as they are undone: while an area is outlined its last corner is the last of them, after which none can be made again. */
+export function stepsWithOutline({ maskSteps, outline }: Pick<State, 'maskSteps' | 'outline'>): History<MaskStep | typeof CORNER> {
+  return outline === null ? maskSteps : recorded<MaskStep | typeof CORNER>(maskSteps, CORNER);
+}
+
 /** What a step did, as in "Undo: mask an area of left.png". */
-export function nameOfMaskStep(step: MaskStep, images: State['images']): string {
+export function nameOfMaskStep(step: MaskStep | typeof CORNER, images: State['images']): string {
+  if (step === CORNER) return say('step-of-outline');
   const image = images[step.side]?.name ?? '';
   if (!('given' in step)) return say('step-of-mask', { deed: step.masked ? 'masked' : 'unmasked', mask: '', image });
   return say('step-of-mask', { deed: step.given === null ? 'removed' : 'given', mask: step.given?.name ?? '', image });

@@ -88,8 +88,15 @@ export class Masking {
     return this.next(() => this.painted(image.id, { corners: outline.corners, masked }));
   }
 
-  /** Takes the last step back, or makes it again. Those that are asked for before that begins are gone with it. */
+  /**
+   * Takes the last step back, or makes it again. Those that are asked for before that begins are gone with it. While an area is outlined its last corner is
+   * the last step, and there is none to be made again.
+   */
   step(by: 1 | -1): Promise<void> {
+    if (this.store.state.outline !== null) {
+      if (by < 0) this.back();
+      return Promise.resolve();
+    }
     if (this.going !== null) {
       this.going.by += by;
       return this.painting;

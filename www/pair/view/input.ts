@@ -237,6 +237,8 @@ function pictureKeys(view: View, store: Store, navigator: Navigator, editing: Ed
     // Else Enter would press the button that had the keyboard.
     if (store.state.tool === 'measure') view.takeKeys();
   };
+  // Where there is nothing to give up the key is of what lies over the pictures.
+  const isBegun = () => lackOfBegun(store.state) === '';
   const leave = () => {
     if (!editing.leave()) navigator.select(null);
   };
@@ -259,6 +261,6 @@ function pictureKeys(view: View, store: Store, navigator: Navigator, editing: Ed
     { keys: ['a'], does: say('adds-a-match-by-measuring'), run: measures(() => editing.toggle('measure')) },
     { keys: ['w'], does: say('outlines-areas-to-be-masked'), run: () => masking.toggle() },
     { keys: ['e'], does: say('measures-the-selected-match-anew'), lacks: () => lackOfSelected(store.state), run: measures(() => editing.move()) },
-    { keys: ['Escape'], does: say('gives-up-or-selects-nothing'), lacks: () => lackOfBegun(store.state), run: leave },
+    { keys: ['Escape'], does: say('gives-up-or-selects-nothing'), can: isBegun, lacks: () => lackOfBegun(store.state), run: leave },
   ];
 }

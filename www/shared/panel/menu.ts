@@ -36,12 +36,18 @@ export function mountMenu(press: HTMLElement, panel: HTMLElement): void {
     show(false);
     if (held) press.focus();
   });
-  document.addEventListener('keydown', ({ key }) => {
-    if (key !== 'Escape' || !isUnfolded()) return;
-    const held = panel.contains(document.activeElement);
-    show(false);
-    if (held) press.focus();
-  });
+  // Before anything under it: one press ends one thing.
+  document.addEventListener(
+    'keydown',
+    (event) => {
+      if (event.key !== 'Escape' || !isUnfolded()) return;
+      event.stopImmediatePropagation();
+      const held = panel.contains(document.activeElement);
+      show(false);
+      if (held) press.focus();
+    },
+    { capture: true },
+  );
   show(false);
   // Where the window is resized, and where what holds the panel is hidden, it covers others, or none.
   const resized = new ResizeObserver(cover);

@@ -28,8 +28,9 @@ export function makeNear(testid: string, close: () => void): Near {
   };
   window.addEventListener('resize', place);
   window.addEventListener('scroll', place, { capture: true, passive: true });
-  document.addEventListener('keydown', ({ key }) => {
-    if (key === 'Escape' && !element.hidden) close();
+  document.addEventListener('keydown', ({ key, defaultPrevented }) => {
+    // What the picture gave up for it was all that it was to end.
+    if (key === 'Escape' && !element.hidden && !defaultPrevented) close();
   });
   return {
     element,
