@@ -229,6 +229,29 @@ test('areas that were painted and marks that were measured are undone and done a
   await stepAll(page, 'mask-redo', 'Redo', masks.slice(2));
   assert.deepEqual((await savedMask(page)).grey(), last);
   await again(page);
+
+  // They are in the history by their names, and a press goes to where so many of them hold.
+  await part(page, 'mask-end').click();
+  await part(page, 'tab-matches').click();
+  const summary = part(page, 'history-section').locator('summary');
+  assert.equal(await summary.textContent(), 'History: 7 edits');
+  await summary.click();
+  assert.deepEqual(await part(page, 'masks-history').locator('li').allTextContents(), ['masks as given', ...masks]);
+  assert.deepEqual(await part(page, 'marks-history').locator('li').allTextContents(), ['marks as given', ...marks]);
+  assert.equal(await part(page, 'marks-history').locator('[aria-current]').textContent(), marks[1]);
+  assert.ok(await part(page, 'history').isHidden());
+  await part(page, 'history-section').scrollIntoViewIfNeeded();
+  await page.screenshot({ path: join(SHOTS, 'history-of-masks.png') });
+  await part(page, 'masks-history-2').click();
+  await part(page, 'masks-history').locator(`[aria-current]:text-is("${masks[1]}")`).waitFor();
+  await part(page, 'tool-mask').click();
+  assert.deepEqual((await savedMask(page)).grey(), painted);
+  await part(page, 'mask-end').click();
+  await part(page, 'marks-history-0').click();
+  await part(page, 'marks-history').locator('[aria-current]:text-is("marks as given")').waitFor();
+  await keptEdits(page, 'pair/marks', 3, 0);
+  await keptEdits(page, 'pair/masks', 4, 2);
+  await again(page);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -32,6 +32,7 @@ import { mountFiducials } from './panel/fiducials';
 import { mountGeometry } from './panel/geometry';
 import { mountHeader, pickerOf } from './panel/header';
 import type { Saving } from './panel/header';
+import { mountHistory } from './panel/history';
 import { mountHistograms } from './panel/histograms';
 import { mountMarking } from './panel/marking';
 import { mountMasking } from './panel/masking';
@@ -194,6 +195,11 @@ export async function mountPair(catalogue: Catalogue, { openProject, toBlock, to
   mountPoint(point, store, (side, index) => navigator.select({ side, index }));
   declareLack([matches], () => lackOfMatches(store.state));
   mountEdits(matches, store, editing, measured);
+  mountHistory(matches, store, {
+    matches: (done) => store.dispatch({ type: 'goto', done }),
+    masks: (done) => void attempt(() => masking.goTo(done)),
+    marks: (done) => marking.step(done - store.state.markSteps.done),
+  });
   mountEditKeys(matches, store, editing, measured);
   mountStatistics(matches, store, editing, (side, index) => navigator.select({ side, index }));
   await breath();

@@ -1,4 +1,4 @@
-/** What is done to the matches by hand: reject, restore, undo, redo, the history, and what became of the orientation. */
+/** What is done to the matches by hand: reject, restore, undo, redo, and what became of the orientation. */
 import { button, byId, fill, h, row } from '../../shared/panel/dom';
 import { declare } from '../../shared/view/commands';
 import type { Command } from '../../shared/view/commands';
@@ -13,7 +13,7 @@ import { marksHaveKeys } from './marking';
 import type { Editing } from '../state/editing';
 import { nameOfEdit } from '../state/edits';
 import { steps } from '../../shared/state/history';
-import { hasKeys, REDO_KEYS, set, showHistory, showSteps, UNDO_KEYS, undoKeys } from '../../shared/panel/history';
+import { hasKeys, REDO_KEYS, set, showSteps, UNDO_KEYS, undoKeys } from '../../shared/panel/history';
 import { declareLack } from '../../shared/panel/lack';
 import { NotListed } from '../../shared/panel/not-listed';
 import type { Sorting } from '../state/edits';
@@ -57,11 +57,8 @@ export function mountEdits(host: HTMLElement, store: Store, editing: Editing, fo
   const others = new NotListed('not-listed', [reject, restore]);
   const hint = h('p', { class: 'note', testid: 'edit-hint' }, say('to-reject-wrong-matches-choose'));
   const compared = h('div', { testid: 'edit-compared', role: 'status' });
-  const history = h('ol', { class: 'history', testid: 'history' });
-  const unfold = h('summary', {}, '');
-  const details = h('details', { testid: 'history-section' }, unfold, history);
   const panel = h('section', { class: 'edits', testid: 'edits', aria: { label: say('edits-by-hand') } });
-  panel.append(h('div', { class: 'buttons' }, reject, restore, move, undo, redo), others.element, hint, compared, details);
+  panel.append(h('div', { class: 'buttons' }, reject, restore, move, undo, redo), others.element, hint, compared);
   host.append(panel);
   store.watch(
     (s) => [s.results, s.history, s.chosen, s.filter, s.selection, s.before, s.images, s.settings, s.camera, s.photos, s.failures] as const,
@@ -80,13 +77,8 @@ export function mountEdits(host: HTMLElement, store: Store, editing: Editing, fo
       undo.hidden = edits.length === 0;
       redo.hidden = names.redo === null;
       hint.hidden = edits.length > 0 || chosenLefts(state).length > 0;
-      details.hidden = edits.length === 0;
-      unfold.textContent = say('history-2', { edits: edits.length });
       fill(compared, ...comparison(state));
     },
-  );
-  store.watch(['history'], () =>
-    showHistory(history, '', say('as-matched'), store.state.history, nameOfEdit, (done) => store.dispatch({ type: 'goto', done })),
   );
 }
 

@@ -126,11 +126,11 @@ export class Marking {
     if (fiducials.length > 0) this.set({ side, deed: 'all_removed', at: 0, out: fiducials, put: [] });
   }
 
-  /** Takes the last step back, or makes it again, and shows its mark. */
-  step(by: 1 | -1): void {
+  /** Takes so many steps back, or makes them again, and shows the mark of the last of these. */
+  step(by: number): void {
     const { tool, markSteps } = this.store.state;
     const { edits, done } = markSteps;
-    const step = edits[by < 0 ? done - 1 : done];
+    const step = by === 0 ? undefined : edits[by < 0 ? done + by : done + by - 1];
     if (step === undefined) return;
     this.store.dispatch({ type: 'marksAfter', done: done + by });
     // In the table it is taken back where it was done.

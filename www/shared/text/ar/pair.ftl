@@ -241,6 +241,10 @@ history-2 = السجل: { $edits ->
         [many] { COUNT($edits) } تعديلًا
        *[other] { COUNT($edits) } تعديل
     }
+history-of-masks = الأقنعة
+history-of-marks = العلامات الإطارية
+masks-as-given = الأقنعة كما أُعطيت
+marks-as-given = العلامات كما أُعطيت
 as-matched = كما طوبق
 now-2 = الآن
 standard-error-of-4 = الخطأ المعياري لـ{ $symbol }، °

@@ -266,6 +266,10 @@ history-2 = History: { COUNT($edits) } { $edits ->
         [one] edit
        *[other] edits
     }
+history-of-masks = Masks
+history-of-marks = Fiducial marks
+masks-as-given = masks as given
+marks-as-given = marks as given
 as-matched = as matched
 now-2 = now
 standard-error-of-4 = standard error of { $symbol }, °
