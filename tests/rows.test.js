@@ -56,6 +56,8 @@ test('what is typed over a column keeps the rows that it says', () => {
   assert.deepEqual(kept('PHOTO 1', 'w'), [1, 3]);
   assert.deepEqual(conditionOf('0.32', false), { kind: 'range', from: 0.315, to: 0.325 });
   for (const bad of ['abc', '3..', '>', '1 2']) assert.equal(conditionOf(bad, false), undefined, bad);
+  // As it was typed, not as the number that is kept for it.
+  for (const typed of ['>0.1', '<2', '>0', '≥0.1', '≤3']) assert.equal(conditionText(conditionOf(typed, false)), typed);
   assert.equal(conditionOf('  ', false), null);
   assert.equal(keeping(COLUMNS, {}), null);
   assert.equal(maskOf(5, COLUMNS, {}), null);

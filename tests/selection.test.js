@@ -8,7 +8,17 @@ import { pageModules } from './www.js';
 const page = {};
 
 before(async () => {
-  Object.assign(page, await pageModules(['block/state/selection', 'block/state/reducer', 'block/state/state', 'block/state/address', 'block/state/edits']));
+  Object.assign(
+    page,
+    await pageModules([
+      'block/state/selection',
+      'block/state/reducer',
+      'block/state/state',
+      'block/state/address',
+      'block/state/edits',
+      'block/state/observations',
+    ]),
+  );
 });
 
 /** A view of images of these names.  @param {string[]} names */
@@ -55,6 +65,8 @@ test('choices of other kinds are never the same', () => {
     { kind: 'observation', point: 1, image: 2 },
     { kind: 'points', points: Uint32Array.of(1, 2) },
     { kind: 'points', points: Uint32Array.of(1, 2, 3) },
+    { kind: 'observations', points: Uint32Array.of(1, 1), images: Uint32Array.of(1, 2) },
+    { kind: 'observations', points: Uint32Array.of(1, 1), images: Uint32Array.of(1, 3) },
   ];
   for (const [i, a] of kinds.entries()) for (const [j, b] of kinds.entries()) assert.equal(isSame(a, structuredClone(b)), i === j, JSON.stringify([a, b]));
 });
@@ -175,4 +187,42 @@ test('points that are chosen stay so in a block of the same tie points, and in n
   assert.equal(chosen(found(codes({ tie_point: 4 }, { tie_point: 10 }, { ground_control: 0 }), before.surveyed), point(1)), null);
   assert.equal(chosen({ ...before, surveyed: [{ name: 'G1', control: 0 }] }, point(2)), null);
   assert.deepEqual(chosen({ ...before, surveyed: [{ name: 'G1', control: 0 }] }, point(1)), point(1));
+});
+
+test('observations are chosen together once each; one is one, and what is done to them is done to none beside them', () => {
+  const { observations, selection, edits, address } = page;
+  const of = (/** @type {[number, number][]} */ ...pairs) => ({
+    points: Uint32Array.from(pairs, ([point]) => point),
+    images: Uint32Array.from(pairs, ([, image]) => image),
+  });
+  assert.equal(observations.choiceOfObservations(of()), null);
+  const one = observations.choiceOfObservations(of([7, 2], [7, 2]));
+  assert.deepEqual(one, { kind: 'observation', point: 7, image: 2 });
+  const several = observations.withMoreObservations(one, of([7, 0], [3, 5], [7, 2]));
+  assert.deepEqual(several, { kind: 'observations', ...of([3, 5], [7, 0], [7, 2]) });
+  assert.deepEqual([...selection.pointsOf(several)], [3, 7]);
+  assert.deepEqual(observations.withMoreObservations(several, of([7, 0])), { kind: 'observations', ...of([3, 5], [7, 2]) });
+  // In the place of points, whose other observations nobody chose.
+  assert.deepEqual(observations.withMoreObservations({ kind: 'points', points: Uint32Array.of(1, 2) }, of([7, 0])), {
+    kind: 'observation',
+    point: 7,
+    image: 0,
+  });
+
+  const view = {
+    ...viewOf('a', 'b', 'c'),
+    points: { count: 8, sources: Float64Array.from({ length: 8 }, (_, i) => 3 * i), numbers: Uint32Array.from({ length: 8 }, (_, i) => i + 1) },
+  };
+  const rejected = [{ kind: 'reject_observations', observations: [{ point: { tie_point: 3 }, image: 5 }] }];
+  const edit = (/** @type {string} */ kind) => edits.editOfChoice(kind, several, view, edits.standingOf(rejected));
+  assert.deepEqual(edit('reject'), {
+    kind: 'reject_observations',
+    observations: [0, 2].map((image) => ({ point: { tie_point: 7 }, image })),
+  });
+  assert.deepEqual(edit('restore'), { kind: 'restore_observations', observations: [{ point: { tie_point: 3 }, image: 5 }] });
+  // Points go by what they are, and one that is gone takes its observations along.
+  const after = { ...view, points: { ...view.points, sources: Float64Array.of(0, 21) } };
+  assert.deepEqual(edits.choiceAfterEdit(several, view, after), { kind: 'observations', ...of([1, 0], [1, 2]) });
+  // An address that named their points would choose all observations of these.
+  assert.equal(address.addressOf({ shown: { view }, onStage: 'map', selection: { chosen: several } }), 'view=map');
 });

@@ -162,7 +162,7 @@ export async function mountBlock(
   showIn(modes, 'block', [actions, exports, drawers, main]);
 
   const pick = mountActions(actions, store, files);
-  mountExports(exports, store, engine, placing);
+  mountExports(exports, store, engine, facts, placing);
   const status = mountBlockStatus(
     store,
     {
@@ -229,7 +229,7 @@ export async function mountBlock(
   stage.prepend(status);
   editLine.prepend(mountEditBar(store, facts, () => measures));
   mountEditPanel(results.panels[1], store);
-  mountBlockEditKeys(store, [stage, results.element]);
+  mountBlockEditKeys(store, facts, [stage, results.element]);
   const near = makeNear('block-near', () => store.dispatch({ type: 'notice', notice: null }));
   main.append(near.element);
   store.watch(['notice'], ([notice]) => near.show(notice));

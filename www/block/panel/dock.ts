@@ -12,6 +12,7 @@ import type { BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
 import { choiceOfRow, keptBy, NO_ROWS, observationRows, observationsOf, rowsOf, rowsOfChoice } from '../state/columns';
 import type { Rows, Tabled } from '../state/columns';
+import { among, observationsIn, withMoreObservations } from '../state/observations';
 import { blockOnOrthophoto } from '../state/showing';
 import { isSame, pairsOf, pointsOf, withMore, withMoreImages, withMorePairs } from '../state/selection';
 import type { Choice, Selection, Subject } from '../state/selection';
@@ -46,7 +47,7 @@ export function makeDock(store: BlockStore, looking: Looking, facts: Facts, othe
   ]);
   element.prepend(splitter(element));
   declareLack(panels.slice(0, sources.length), () => lackOfBlock(store.state));
-  const tables = sources.map((source, i) => oneTable(panels[i] ?? element, store, looking, source));
+  const tables = sources.map((source, i) => oneTable(panels[i] ?? element, store, looking, facts, source));
   const further = others.map((other, i) => other.make(panels[sources.length + i] ?? element));
   const draw = () => {
     for (const table of [...tables, ...further]) table.draw();
@@ -152,14 +153,15 @@ function observationSource(facts: Facts, redraw: () => void): Source {
       // All observations of an image would be too many to stand out.
       if (of === null || choice === null || pointsOf(choice).length === 0) return { has: () => false, first: -1 };
       const ofPoints = observationsOf(of, choice);
-      const has = choice.kind === 'observation' ? (row: number) => ofPoints(row) && of.images[row] === choice.image : ofPoints;
+      const isOne = choice.kind === 'observation' || choice.kind === 'observations' ? among(observationsIn(choice)) : null;
+      const has = isOne === null ? ofPoints : (row: number) => isOne(of.points[row] ?? -1, of.images[row] ?? -1);
       return { has, first: of.points.findIndex((_, row) => has(row)) };
     },
     tools: [press],
   };
 }
 
-function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source: Source): { draw: () => void; refresh: () => void } {
+function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, facts: Facts, source: Source): { draw: () => void; refresh: () => void } {
   const { subject, title, tools = [] } = source;
   const ofRow = (row: number): Choice | null => {
     const { shown } = store.state;
@@ -187,6 +189,15 @@ function oneTable(host: HTMLElement, store: BlockStore, looking: Looking, source
     choose: (row) => choose(ofRow(row)),
     isChosen: (row) => chosen.has(row),
     ...(subject === 'points' ? { chooseMore: (rows) => choose(withMore(store.state.selection.chosen, rows)) } : {}),
+    ...(subject === 'observations'
+      ? {
+          chooseMore: (rows) => {
+            const of = facts.observations();
+            const more = { points: Uint32Array.from(rows, (row) => of?.points[row] ?? 0), images: Uint32Array.from(rows, (row) => of?.images[row] ?? 0) };
+            if (of !== null) choose(withMoreObservations(store.state.selection.chosen, more));
+          },
+        }
+      : {}),
     ...(subject === 'pairs'
       ? {
           chooseMore: (rows) =>

@@ -9,7 +9,7 @@ import { declarePlace } from '../../shared/panel/reach';
 import { fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { Facts } from '../engine/facts';
-import { isGiven, nameOfDraft, stepOfDraft } from '../state/draft';
+import { isGiven, nameOfDraft, placesAsSteps, stepOfDraft } from '../state/draft';
 import { comparedText, figuresOf } from '../state/edited';
 import type { Draft } from '../state/edited';
 import { editsInForce, isEditable } from '../state/editing';
@@ -46,7 +46,8 @@ const MOST_JOINED = 8;
 /** The points that are chosen to be one; null where they cannot be, and while their figures are on their way. */
 function toJoin(state: BlockState, facts: Facts): readonly PointDetail[] | null {
   const { shown } = state;
-  const points = pointsOf(chosenOf(state));
+  const chosen = chosenOf(state, facts);
+  const points = chosen?.kind === 'points' ? chosen.points : pointsOf(null);
   if (shown === null || points.length < 2 || points.length > MOST_JOINED || points.some((point) => point >= shown.view.points.taking)) return null;
   const details = [...points].flatMap((point) => facts.point(point) ?? []);
   return details.length < points.length || joined(details) === null ? null : details;
@@ -74,15 +75,15 @@ function splitOf({ selection, shown, panes }: BlockState, facts: Facts): readonl
 }
 
 /** Takes the chosen images out of the block; null where they cannot be. */
-function removalOf(state: BlockState): Extract<MarkStep, { kind: 'remove_images' }> | null {
+function removalOf(state: BlockState, facts: Facts): Extract<MarkStep, { kind: 'remove_images' }> | null {
   const { files, shown, history } = state;
-  const out = removable(files, chosenOf(state), shown?.view.images ?? []);
+  const out = removable(files, chosenOf(state, facts), shown?.view.images ?? []);
   return out.length === 0 ? null : { kind: 'remove_images', files: out.map(({ id }) => id), after: history.done };
 }
 
 /** The keyboard stays with what is chosen. */
-function removeImages(store: BlockStore): void {
-  const step = removalOf(store.state);
+function removeImages(store: BlockStore, facts: Facts): void {
+  const step = removalOf(store.state, facts);
   if (step !== null) store.dispatch({ type: 'mark', step });
 }
 
@@ -104,10 +105,15 @@ function capital(name: string): string {
 export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Measures | null): HTMLElement {
   const undo = button(say('undo-sign'), 'block-undo', () => stepBy(store, -1));
   const redo = button(say('redo-sign'), 'block-redo', () => stepBy(store, 1));
-  const reject = button(say('reject'), 'block-reject', () => makeEdit(store, editOf(store.state, 'reject')), say('take-what-is-chosen-out'));
-  const whole = button(say('reject-point'), 'block-reject-point', () => makeEdit(store, editOf(store.state, 'reject', true)), say('take-the-point-with-all'));
-  const restore = button(say('restore'), 'block-restore', () => makeEdit(store, editOf(store.state, 'restore')), say('use-what-is-chosen-again'));
-  const remove = button(say('remove-image'), 'block-remove-image', () => removeImages(store), say('take-the-chosen-image-out'));
+  const reject = button(say('reject'), 'block-reject', () => makeEdit(store, editOf(store.state, facts, 'reject')), say('take-what-is-chosen-out'));
+  const whole = button(
+    say('reject-point'),
+    'block-reject-point',
+    () => makeEdit(store, editOf(store.state, facts, 'reject', true)),
+    say('take-the-point-with-all'),
+  );
+  const restore = button(say('restore'), 'block-restore', () => makeEdit(store, editOf(store.state, facts, 'restore')), say('use-what-is-chosen-again'));
+  const remove = button(say('remove-image'), 'block-remove-image', () => removeImages(store, facts), say('take-the-chosen-image-out'));
   const measure = button(
     say('measure-it'),
     'block-measure',
@@ -182,18 +188,20 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     const { chosen } = state.selection;
     bar.hidden = !isEditable(state);
     const names = namesIn(state);
-    showSteps(undo, redo, timelineOf(state), (one) => nameOfTimed(state, one, names));
-    const [off, point, on] = [editOf(state, 'reject'), editOf(state, 'reject', true), editOf(state, 'restore')];
+    // While a point is measured its places are what is taken back, so that nothing else is offered.
+    if (state.draft === null) showSteps(undo, redo, timelineOf(state), (one) => nameOfTimed(state, one, names));
+    else showSteps(undo, redo, placesAsSteps(state.draft), (image) => say('step-place-in', { image: state.shown?.view.images[image]?.name ?? '' }));
+    const [off, point, on] = [editOf(state, facts, 'reject'), editOf(state, facts, 'reject', true), editOf(state, facts, 'restore')];
     const drafting = state.draft !== null;
     set(reject, titleOf(off, say('reject'), NO_NAMES), off === null);
     set(restore, titleOf(on, say('restore'), NO_NAMES), on === null);
     reject.hidden = drafting || (off === null && on !== null);
     restore.hidden = drafting || on === null;
     whole.hidden = drafting || chosen?.kind !== 'observation' || point === null;
-    const removal = removalOf(state);
+    const removal = removalOf(state, facts);
     remove.hidden = drafting || removal === null;
     set(remove, removal === null || removal.files.length === 1 ? say('remove-image') : capital(nameOfMarks(removal)), false);
-    notListed.show(state.shown === null || drafting ? 0 : listedChoice(state.selection, state.shown.view).others);
+    notListed.show(state.shown === null || drafting ? 0 : listedChoice(state.selection, state.shown.view, () => facts.observations()).others);
     const inImages = state.onStage === 'images';
     // A point that no image shows yet is measured in the images, whatever view it was chosen in.
     const given = chosen?.kind === 'given';

@@ -1,4 +1,5 @@
 import type { BlockStore } from '../engine/engine';
+import type { Facts } from '../engine/facts';
 import { isEditable } from '../state/editing';
 import { editOfChoice, standingOf } from '../state/edits';
 import { framesOthers } from '../state/framing';
@@ -20,14 +21,14 @@ import type { BlockView } from '../state/view';
 import { say } from '../../shared/text/words';
 
 /** What is chosen and listed, which is what an edit is about; null where nothing is. */
-export function chosenOf({ selection, shown }: BlockState): Choice | null {
-  return shown === null ? null : listedChoice(selection, shown.view).choice;
+export function chosenOf({ selection, shown }: BlockState, facts: Facts): Choice | null {
+  return shown === null ? null : listedChoice(selection, shown.view, () => facts.observations()).choice;
 }
 
 /** What an edit of the choice would be; null where it cannot be made. */
-export function editOf(state: BlockState, kind: 'reject' | 'restore', whole = false): BlockEdit | null {
+export function editOf(state: BlockState, facts: Facts, kind: 'reject' | 'restore', whole = false): BlockEdit | null {
   const { shown } = state;
-  return shown === null ? null : editOfChoice(kind, chosenOf(state), shown.view, standingOf(shown.edits), whole);
+  return shown === null ? null : editOfChoice(kind, chosenOf(state, facts), shown.view, standingOf(shown.edits), whole);
 }
 
 /** Makes an edit, where there is one and nothing runs. */

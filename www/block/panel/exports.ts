@@ -5,6 +5,7 @@ import { Cancelled } from '../../shared/engine/client';
 import { save } from '../../shared/files/save';
 import type { ExportKind } from '../engine/calls';
 import type { BlockEngine, BlockStore } from '../engine/engine';
+import type { Facts } from '../engine/facts';
 import type { PlacingEngine } from '../engine/placing';
 import { editsInForce, isSameList } from '../state/editing';
 import { pendingPoints } from '../state/given-points';
@@ -41,11 +42,11 @@ const isMosaic = (kind: string): kind is Mosaic => kind in MOSAICS;
 
 const EXPORT = 'block-export';
 
-export function mountExports(host: HTMLElement, store: BlockStore, engine: BlockEngine, placing: PlacingEngine): void {
+export function mountExports(host: HTMLElement, store: BlockStore, engine: BlockEngine, facts: Facts, placing: PlacingEngine): void {
   const select = h('select', { id: 'block-export-kind', testid: 'block-export-kind', aria: { label: say('format') } });
   const press = button(say('save'), EXPORT, () => {
     const { value } = select;
-    if (isMosaic(value)) void saveMosaic(store, engine, placing, EXPORT, typed(pixel), value === 'chosen' ? chosenImages(store) : null);
+    if (isMosaic(value)) void saveMosaic(store, engine, placing, EXPORT, typed(pixel), value === 'chosen' ? chosenImages(store, facts) : null);
     else void saveAs(store, engine, value as ExportKind);
   });
   const pixel = h('input', { id: 'block-mosaic-pixel', type: 'number', testid: 'block-mosaic-pixel', aria: { label: say('pixel-of-the-orthomosaic') } });
@@ -58,7 +59,7 @@ export function mountExports(host: HTMLElement, store: BlockStore, engine: Block
     pixel.hidden = !isMosaic(select.value);
     // A part of a block has no points yet.
     const whole = shown !== null && !shown.view.partial;
-    const lacksImages = select.value === 'chosen' && chosenImages(store).length === 0;
+    const lacksImages = select.value === 'chosen' && chosenImages(store, facts).length === 0;
     // What is saved has all edits that were made: the last of them may still be on their way.
     press.disabled = !whole || isBusy(store.state) || lacksImages || !isSameList(editsInForce(history), shown.edits);
     press.title = lacksImages ? say('choose-one-or-more-images') : '';
@@ -82,9 +83,9 @@ export function mountExports(host: HTMLElement, store: BlockStore, engine: Block
 }
 
 /** The names of the images that are chosen and listed. */
-function chosenImages({ state }: BlockStore): string[] {
+function chosenImages({ state }: BlockStore, facts: Facts): string[] {
   const { shown } = state;
-  return imagesOf(chosenOf(state)).flatMap((image) => shown?.view.images[image]?.name ?? []);
+  return imagesOf(chosenOf(state, facts)).flatMap((image) => shown?.view.images[image]?.name ?? []);
 }
 
 /** `near`: the `data-testid` of the button that was pressed, beside which a refusal is said. */

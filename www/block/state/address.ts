@@ -20,7 +20,8 @@ export function addressOf({ shown, onStage, selection: { chosen } }: Pick<BlockS
   const named = new URLSearchParams({ view: onStage });
   const name = (image: number) => shown.view.images[image]?.name ?? '';
   const { numbers } = shown.view.points;
-  const points = pointsOf(chosen);
+  // Several observations are no choice of their points: what is done to these would be done to all of each.
+  const points = chosen?.kind === 'observations' ? new Uint32Array() : pointsOf(chosen);
   if (points.length > 0 && points.length <= MOST_POINTS) named.set('point', [...points].map((point) => String(numbers[point] ?? 0)).join(','));
   if (chosen?.kind === 'image' || chosen?.kind === 'observation') named.append('image', name(chosen.image));
   if (chosen?.kind === 'images' && chosen.images.length <= MOST_IMAGES) for (const image of chosen.images) named.append('images', name(image));

@@ -5,6 +5,7 @@ import { indexOfSource } from './edits';
 import type { Choice } from './selection';
 import type { BlockView } from './view';
 import { nameOfPoint } from './words';
+import type { History } from '../../shared/state/history';
 import type { Position } from '../../shared/state/pane';
 import type { Draft, GivenPoint, Placed } from './edited';
 import type { MarkStep } from './marks';
@@ -55,6 +56,11 @@ export function nameOfDraft({ of }: Draft, view: BlockView): string {
 /** The draft without its latest place; null where it has none. */
 export function withoutLast({ of, places }: Draft): Draft | null {
   return places.size === 0 ? null : { of, places: new Map([...places].slice(0, -1)) };
+}
+
+/** The places as they are taken back, which is before any step of the block; none can be made again. */
+export function placesAsSteps({ places }: Draft): History<number> {
+  return { edits: [...places.keys()], done: places.size };
 }
 
 export function isGiven(of: Draft['of']): of is GivenPoint {

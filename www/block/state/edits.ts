@@ -1,6 +1,8 @@
 /** Edits of a finished block by hand: what they are about, and what stands after some of them. */
 import type { BlockEdit, PointImage, PointSource } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
+import { choiceOfObservations } from './observations';
+import type { Observations } from './observations';
 import type { Choice } from './selection';
 import { imagesOf, keyOfPair, pairsOf, pointsOf } from './selection';
 import type { BlockView } from './view';
@@ -42,6 +44,7 @@ export function indexOfSource({ points }: BlockView, source: PointSource): numbe
 export function choiceAfterEdit(choice: Choice | null, before: BlockView, after: BlockView): Choice | null {
   if (choice === null || choice.kind === 'given') return choice;
   if (choice.kind === 'image' || choice.kind === 'images' || choice.kind === 'pair' || choice.kind === 'pairs') return choice;
+  if (choice.kind === 'observations') return choiceOfObservations(observationsAfter(choice, before, after));
   const moved = [...pointsOf(choice)].flatMap((point) => {
     const source = sourceOf(before, point);
     const index = source === null ? -1 : indexOfSource(after, source);
@@ -51,6 +54,15 @@ export function choiceAfterEdit(choice: Choice | null, before: BlockView, after:
   if (first === undefined) return null;
   if (choice.kind === 'observation') return { ...choice, point: first };
   return moved.length === 1 ? { kind: 'point', point: first } : { kind: 'points', points: Uint32Array.from(moved).sort() };
+}
+
+function observationsAfter({ points, images }: Observations, before: BlockView, after: BlockView): Observations {
+  const places = Array.from(points, (point) => {
+    const source = sourceOf(before, point);
+    return source === null ? -1 : indexOfSource(after, source);
+  });
+  const stays = (_: number, i: number) => (places[i] ?? -1) >= 0;
+  return { points: Uint32Array.from(places.filter(stays)), images: images.filter(stays) };
 }
 
 /** Points that are chosen, in a block that was found anew with the same tie points; null where a surveyed one among them may be another. */
@@ -166,6 +178,8 @@ export function editOfChoice(kind: 'reject' | 'restore', choice: Choice | null, 
       const one = { point, image: choice.image };
       return standing.observations.has(keyOfObservation(one)) === rejects ? null : { kind: `${kind}_observations`, observations: [one] };
     }
+    case 'observations':
+      return editOfObservations(kind, choice, view, standing);
     case 'point':
     case 'points':
       return editOfPoints(
@@ -176,6 +190,16 @@ export function editOfChoice(kind: 'reject' | 'restore', choice: Choice | null, 
     default:
       return null;
   }
+}
+
+/** Those of points that are out take no part, whatever is done to them. */
+function editOfObservations(kind: 'reject' | 'restore', { points, images }: Observations, view: BlockView, standing: Standing): BlockEdit | null {
+  const observations = [...points].flatMap((number, i) => {
+    const point = sourceOf(view, number);
+    const one = point === null ? null : { point, image: images[i] ?? 0 };
+    return one === null || isOut(one.point, standing) || standing.observations.has(keyOfObservation(one)) === (kind === 'reject') ? [] : [one];
+  });
+  return observations.length === 0 ? null : { kind: `${kind}_observations`, observations };
 }
 
 /** Whether a point was rejected, or is a surveyed point that is not used. */

@@ -1,5 +1,6 @@
 /** What is chosen, pointed at and filtered: one for all views of a block. Pure: the same selection and action give the same selection. */
 import type { Filter } from '../../shared/state/rows';
+import type { Observations } from './observations';
 import type { BlockView } from './view';
 
 /** What is looked at. Numbers are those of the `BlockView`; each kind names what it is about, so that a view shows the kinds that it knows. */
@@ -13,6 +14,8 @@ export type Choice =
   | { kind: 'point'; point: number }
   /** A tie point as one image shows it. */
   | { kind: 'observation'; point: number; image: number }
+  /** Two or more of them. */
+  | ({ kind: 'observations' } & Observations)
   /** Two or more tie points, in ascending order. */
   | { kind: 'points'; points: Uint32Array }
   /** A control or check point that was given and is not in the block. */
@@ -138,6 +141,9 @@ export function pointsOf(choice: Choice | null): Uint32Array {
     case 'point':
     case 'observation':
       return Uint32Array.of(choice.point);
+    case 'observations':
+      // They are in order.
+      return choice.points.filter((point, i) => point !== choice.points[i - 1]);
     case 'points':
       return choice.points;
     default:
@@ -150,16 +156,14 @@ export function isSame(a: Choice | null, b: Choice | null): boolean {
   if (a === b) return true;
   if (a === null || b === null || a.kind !== b.kind) return false;
   if (a.kind === 'given' && b.kind === 'given') return a.name === b.name;
+  if (a.kind === 'observations' && b.kind === 'observations') return isSameList(a.points, b.points) && isSameList(a.images, b.images);
   if (a.kind === 'pairs') return pairsOf(a).map(keyOfPair).join(' ') === pairsOf(b).map(keyOfPair).join(' ');
   const [images, others] = [imagesOf(a), imagesOf(b)];
   const [points, others_] = [pointsOf(a), pointsOf(b)];
-  return (
-    images.length === others.length &&
-    images.every((image) => others.includes(image)) &&
-    points.length === others_.length &&
-    points.every((point, i) => point === others_[i])
-  );
+  return images.length === others.length && images.every((image) => others.includes(image)) && isSameList(points, others_);
 }
+
+const isSameList = (a: Uint32Array, b: Uint32Array): boolean => a.length === b.length && a.every((value, i) => value === b[i]);
 
 /** The selection as another view of the same images has it: images by their names. Points are numbered anew, so that none stays chosen. */
 export function inOtherView(selection: Selection, before: BlockView | null, after: BlockView): Selection {

@@ -4,7 +4,7 @@ import { count, fixed } from '../../shared/text/format';
 import { collectedOf } from './marks';
 import type { WithMarks } from './marks';
 import { surveyedAt } from './point-kinds';
-import { keyOfPair } from './selection';
+import { keyOfPair, pointsOf } from './selection';
 import type { Choice } from './selection';
 import type { Listed } from './state';
 import { coordinatesText, resultSystem } from './result-system';
@@ -58,6 +58,8 @@ export function describe({ view, given }: Listed, choice: Choice, gsd = ''): str
       return describePoint(view, choice.point);
     case 'observation':
       return `${asFigure(view.images[choice.image]?.name ?? '')}, ${describePoint(view, choice.point)}`;
+    case 'observations':
+      return say('several-observations', { observations: choice.points.length, points: pointsOf(choice).length });
     case 'points':
       return describePoints(view, choice.points);
     case 'given':

@@ -112,7 +112,7 @@ export function conditionOf(typed: string, words: boolean): Condition | null | u
   return { kind: 'range', from: Number(equal) - half, to: Number(equal) + half };
 }
 
-function limited(sign: string, number: number): Condition {
+function limited(sign: string, number: number): { kind: 'range'; from: number | null; to: number | null } {
   const next = Math.max(Math.abs(number) * Number.EPSILON, Number.MIN_VALUE);
   if (sign === '>') return { kind: 'range', from: number + next, to: null };
   if (sign === '<') return { kind: 'range', from: null, to: number - next };
@@ -125,7 +125,15 @@ export function conditionText(condition: Condition | undefined): string {
   if (condition.kind === 'contains') return condition.text;
   const { from, to } = condition;
   if (from !== null && to !== null) return `${String(from)}..${String(to)}`;
-  return from !== null ? `≥${String(from)}` : to !== null ? `≤${String(to)}` : '';
+  if (from !== null) return limitText('>', '≥', from);
+  return to === null ? '' : limitText('<', '≤', to);
+}
+
+/** Limits beyond a number are kept as the next one: they are written as they were typed. */
+function limitText(beyond: '>' | '<', up: string, limit: number): string {
+  const typed = Math.abs(limit) === Number.MIN_VALUE ? 0 : Number(limit.toPrecision(15));
+  const { from, to } = limited(beyond, typed);
+  return (from ?? to) === limit ? `${beyond}${String(typed)}` : `${up}${String(limit)}`;
 }
 
 /** Sum, mean or root mean square of what a column has for these rows; NaN where it has nothing. */

@@ -1226,6 +1226,18 @@ step-make-frames = تحويل { $scans ->
        *[other] { COUNT($scans) } مسحًا
     } إلى صور كاميرا واحدة
 step-beside-images = قياس خارج صور المسوح
+step-place-in = وضع النقطة في { $image }
+several-observations = { $observations ->
+        [one] رصدة واحدة
+        [two] رصدتان
+        [few] { $observations } رصدات
+       *[other] { COUNT($observations) } رصدة
+    } من { $points ->
+        [one] نقطة واحدة
+        [two] نقطتين
+        [few] { $points } نقاط
+       *[other] { COUNT($points) } نقطة
+    }.
 step-unmark = إزالة قياس { $what } في { $images }
 control-waits = لا تشارك نقاط الضبط بعد: { $twice ->
     [zero] لم تُقَس أي منها

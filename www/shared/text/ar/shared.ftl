@@ -48,11 +48,10 @@ redo = إعادة
 no-edit-to-undo = لا تعديل يُتراجع عنه
 no-edit-to-redo = لا تعديل يُعاد
 chosen-not-listed = { $others ->
-        [zero] لا مختار خارج القائمة
-        [one] مختار آخر غير مدرج: يبقى كما هو
-        [two] مختاران آخران غير مدرجين: يبقيان كما هما
-        [few] { COUNT($others) } مختارات أخرى غير مدرجة: تبقى كما هي
-       *[other] { COUNT($others) } مختارًا آخر غير مدرج: تبقى كما هي
+        [one] مختار آخر غير مدرج
+        [two] مختاران آخران غير مدرجين
+        [few] { COUNT($others) } مختارات أخرى غير مدرجة
+       *[other] { COUNT($others) } مختارًا آخر غير مدرج
     }
 nothing-is-chosen = لم يُختر شيء
 nothing-is-measured = لا يُقاس شيء

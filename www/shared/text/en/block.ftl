@@ -1299,6 +1299,10 @@ measured = measured
 marks-by-hand = Image measurements by hand
 mark-of = { $point } in { $image }
 several-pairs = { COUNT($pairs) } pairs: { $names }.
+several-observations = { COUNT($observations) } observations of { $points ->
+        [one] 1 point
+       *[other] { COUNT($points) } points
+    }.
 several-images = { COUNT($images) } images: { $names }.
 step-remove-images = remove { $images ->
         [one] 1 image
@@ -1309,6 +1313,7 @@ step-make-frames = make images of one camera of { $scans ->
        *[other] { COUNT($scans) } scans
     }
 step-beside-images = a measurement beside the images of scans
+step-place-in = place the point in { $image }
 step-unmark = remove { $what } in { $images }
 control-waits = The control points take no part yet: { $twice ->
     [0] none is

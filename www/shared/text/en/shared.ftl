@@ -51,10 +51,7 @@ undo = Undo
 redo = Redo
 no-edit-to-undo = there is no edit to undo
 no-edit-to-redo = there is no edit to redo
-chosen-not-listed = { $others ->
-        [one] 1 more is chosen and not listed: it stays
-       *[other] { COUNT($others) } more are chosen and not listed: they stay
-    }
+chosen-not-listed = { COUNT($others) } more chosen, not listed
 nothing-is-chosen = nothing is chosen
 nothing-is-measured = nothing is measured
 nothing-is-running = nothing is running
