@@ -4,8 +4,7 @@ import type { BlockEdit, HandMeasurement, PointImage, PointSource, Remark } from
 
 import type { AddedControl } from '../state/added';
 import type { EditStep } from '../state/edits';
-import type { FramesStep } from '../state/framing';
-import type { MarkStep } from '../state/marks';
+import type { FramesStep, MarkStep } from '../state/marks';
 import { say } from '../../shared/text/words';
 
 /** About what a point, an image or a place takes in an edit, in bytes. */

@@ -2,10 +2,9 @@
 import { likeOf, listOf, objectOf, orNull } from '../../shared/files/keepable';
 import { remember } from '../../shared/state/remember';
 import type { History } from '../../shared/state/history';
-import type { Framing, FramesStep } from '../state/framing';
-import { isFramesStep } from '../state/framing';
 import type { KeptFile } from '../state/kept';
-import type { MarkStep } from '../state/marks';
+import { isFramesStep } from '../state/marks';
+import type { Framing, FramesStep, MarkStep } from '../state/marks';
 import type { BlockFile } from '../state/state';
 import { bytesOfMarks, markStepFrom } from './edit';
 import { filmFrom, textFrom } from './keep-placing';

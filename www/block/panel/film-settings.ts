@@ -7,7 +7,7 @@ import { say } from '../../shared/text/words';
 import type { BlockStore } from '../engine/engine';
 import type { BlockFiles } from '../files/files';
 import { framesOf, marksOfNone, possibleScans } from '../state/film';
-import { isFramesStep } from '../state/framing';
+import { isFramesStep } from '../state/marks';
 import { nameOfMarks } from '../state/naming';
 import { timelineOf } from '../state/timeline';
 import { stepBy } from './edits';

@@ -2,8 +2,7 @@
 import type { BlockEdit, PointImage, PointSource } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import { choiceOfObservations } from './observations';
-import type { Observations } from './observations';
-import type { Choice } from './selection';
+import type { Choice, Observations } from './selection';
 import { imagesOf, keyOfPair, pairsOf, pointsOf } from './selection';
 import type { BlockView } from './view';
 

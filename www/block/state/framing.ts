@@ -3,33 +3,13 @@
  * files of cameras and of image measurements, what was given of the film, and the measurements of the steps before, which are in px of the images. Pure.
  */
 import type { TextFile } from './file';
-import { withoutRunUnderWay } from './state';
-import type { BlockFile, BlockOptions, BlockState } from './state';
+import type { BlockFile } from './file';
 import type { GivenFilm } from './film';
-import type { MarkStep } from './marks';
+import { isFramesStep } from './marks';
+import type { Framing, FramesStep, MarkStep } from './marks';
+import { withoutRunUnderWay } from './state';
+import type { BlockOptions, BlockState } from './state';
 import type { History } from '../../shared/state/history';
-
-/** What a block has of scans, or of the images that were made of them. */
-export interface Framing {
-  images: readonly BlockFile[];
-  /** All of the block. */
-  masks: readonly BlockFile[];
-  cameras: TextFile | null;
-  marks: TextFile | null;
-  film: GivenFilm;
-  /** The steps before this one, with their measurements in these images. */
-  steps: readonly MarkStep[];
-}
-
-export interface FramesStep {
-  kind: 'make_frames';
-  scans: Framing;
-  frames: Framing;
-  /** So many edits of the block held then. */
-  after: number;
-}
-
-export const isFramesStep = (step: MarkStep): step is FramesStep => step.kind === 'make_frames';
 
 /** The places of such steps that hold by one history and not by the other. */
 function between({ edits }: History<MarkStep>, from: number, to: number): FramesStep[] {

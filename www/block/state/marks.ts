@@ -4,8 +4,8 @@ import type { GroundControlRow, ImageMeasurementRow } from '../../../pkg/wasm/ti
 import type { History } from '../../shared/state/history';
 import type { Position } from '../../shared/state/pane';
 import { remember } from '../../shared/state/remember';
-import type { TextFile } from './file';
-import type { FramesStep } from './framing';
+import type { BlockFile, TextFile } from './file';
+import type { GivenFilm } from './film';
 import type { Purpose } from './placing';
 import type { BlockView } from './view';
 
@@ -22,10 +22,32 @@ export type MarkStep =
   | { kind: 'remove_images'; files: readonly number[]; after: number }
   | FramesStep;
 
-/** A step on measurements alone. */
-export type MeasureStep = Extract<MarkStep, { marks: unknown }>;
+/** What a block has of scans, or of the images that were made of them. */
+export interface Framing {
+  images: readonly BlockFile[];
+  /** All of the block. */
+  masks: readonly BlockFile[];
+  cameras: TextFile | null;
+  marks: TextFile | null;
+  film: GivenFilm;
+  /** The steps before this one, with their measurements in these images. */
+  steps: readonly MarkStep[];
+}
 
-export const isMeasureStep = (step: MarkStep): step is MeasureStep => 'marks' in step;
+export interface FramesStep {
+  kind: 'make_frames';
+  scans: Framing;
+  frames: Framing;
+  /** So many edits of the block held then. */
+  after: number;
+}
+
+export const isFramesStep = (step: MarkStep): step is FramesStep => step.kind === 'make_frames';
+
+/** A step on measurements alone. */
+type MeasureStep = Extract<MarkStep, { marks: unknown }>;
+
+const isMeasureStep = (step: MarkStep): step is MeasureStep => 'marks' in step;
 
 interface Named {
   name: string;

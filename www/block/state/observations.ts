@@ -1,11 +1,5 @@
 /** Observations as they are chosen together: each is a tie point as one image shows it. Pure. */
-import type { Choice } from './selection';
-
-/** Points and images of observations, side by side, in ascending order of points, then of images; none twice. */
-export interface Observations {
-  points: Uint32Array;
-  images: Uint32Array;
-}
+import type { Choice, Observations } from './selection';
 
 /** More images than any block has: so that one number names an observation. */
 const IMAGES = 2 ** 20;

@@ -1,7 +1,12 @@
 /** What is chosen, pointed at and filtered: one for all views of a block. Pure: the same selection and action give the same selection. */
 import type { Filter } from '../../shared/state/rows';
-import type { Observations } from './observations';
 import type { BlockView } from './view';
+
+/** Points and images of observations, side by side, in ascending order of points, then of images; none twice. */
+export interface Observations {
+  points: Uint32Array;
+  images: Uint32Array;
+}
 
 /** What is looked at. Numbers are those of the `BlockView`; each kind names what it is about, so that a view shows the kinds that it knows. */
 export type Choice =
