@@ -421,6 +421,18 @@ test('a match is measured by the keyboard alone, survives a crash of the tab, an
   await page.keyboard.press('f');
   await says(page, 'draft-text', /Place the right point/);
   assert.ok(await part(page, 'draft-accept').isEnabled());
+  // What was placed last is taken back first, without an edit before it, too, and nothing is made again meanwhile.
+  assert.equal(await part(page, 'tool-undo').getAttribute('aria-label'), 'Undo: place a point of the match');
+  await page.keyboard.press('Control+z');
+  await says(page, 'draft-text', /The right point is predicted: /);
+  await page.keyboard.press('Control+y');
+  await page.keyboard.press('Control+z');
+  await part(page, 'tool-undo').waitFor({ state: 'hidden' });
+  await page.keyboard.press('Enter');
+  await drafted(page);
+  await says(page, 'draft-text', /The right point is predicted: /);
+  await page.keyboard.press('f');
+  await says(page, 'draft-text', /Place the right point/);
   await page.keyboard.press('o');
   await says(page, 'draft-text', /Place the left point/);
   await page.keyboard.press('ArrowDown');

@@ -6,12 +6,11 @@ import { listenKeys } from '../../shared/view/gestures';
 import { count, decimalsOfError, fixed } from '../../shared/text/format';
 import type { OrientedPair } from '../../shared/crate';
 import { chosenLefts, editOfChoice, lackOfBegun, lackOfEdit, lackOfMatches, lackOfSelected, notListed } from '../state/choice';
-import { moving } from '../state/draft';
+import { moving, nameOfStep, stepsWithDraft } from '../state/draft';
 import { comparedEdit } from '../state/compared';
 import { editedPair } from '../state/edited';
 import { marksHaveKeys } from './marking';
 import type { Editing } from '../state/editing';
-import { nameOfEdit } from '../state/edits';
 import { steps } from '../../shared/state/history';
 import { hasKeys, REDO_KEYS, set, showSteps, UNDO_KEYS, undoKeys } from '../../shared/panel/history';
 import { declareLack } from '../../shared/panel/lack';
@@ -61,7 +60,7 @@ export function mountEdits(host: HTMLElement, store: Store, editing: Editing, fo
   panel.append(h('div', { class: 'buttons' }, reject, restore, move, undo, redo), others.element, hint, compared);
   host.append(panel);
   store.watch(
-    (s) => [s.results, s.history, s.chosen, s.filter, s.selection, s.before, s.images, s.settings, s.camera, s.photos, s.failures] as const,
+    (s) => [s.results, s.history, s.draft, s.chosen, s.filter, s.selection, s.before, s.images, s.settings, s.camera, s.photos, s.failures] as const,
     () => {
       const { state } = store;
       panel.hidden = editedPair(state) === null;
@@ -71,10 +70,10 @@ export function mountEdits(host: HTMLElement, store: Store, editing: Editing, fo
       others.show(notListed(state));
       move.disabled = moving(state) === null;
       const { edits } = state.history;
-      const names = steps(state.history, nameOfEdit);
+      const names = steps(stepsWithDraft(state), nameOfStep);
       set(undo, names.undo === null ? say('undo') : say('undo-3', { undo: names.undo }), names.undo === null);
       set(redo, names.redo === null ? say('redo') : say('redo-3', { redo: names.redo }), names.redo === null);
-      undo.hidden = edits.length === 0;
+      undo.hidden = edits.length === 0 && state.draft === null;
       redo.hidden = names.redo === null;
       hint.hidden = edits.length > 0 || chosenLefts(state).length > 0;
       fill(compared, ...comparison(state));
@@ -126,7 +125,7 @@ export function mountEditTools(host: HTMLElement, bar: HTMLElement, store: Store
   const others = new NotListed('tool-not-listed', [reject, restore]);
   bar.append(reject, restore, others.element);
   store.watch(
-    (s) => [s.tool, s.history, s.chosen, s.filter, s.selection, s.results] as const,
+    (s) => [s.tool, s.history, s.draft, s.chosen, s.filter, s.selection, s.results] as const,
     () => {
       const { state } = store;
       choose.setAttribute('aria-pressed', String(state.tool === 'choose'));
@@ -139,16 +138,19 @@ export function mountEditTools(host: HTMLElement, bar: HTMLElement, store: Store
       reject.hidden = state.tool !== 'choose' && state.chosen.length === 0;
       restore.hidden = reject.hidden || on === null;
       others.show(reject.hidden ? 0 : notListed(state));
-      showSteps(undo, redo, state.history, nameOfEdit);
+      showSteps(undo, redo, stepsWithDraft(state), nameOfStep);
     },
   );
 }
+
+/** Whether there is something to take back, or to make again. */
+const hasSteps = ({ history, draft }: State): boolean => history.edits.length > 0 || draft !== null;
 
 /** Undo and redo by their keys, wherever the keyboard is but in a field that has an undo of its own; the others in the list of matches. */
 export function mountEditKeys(list: HTMLElement, store: Store, editing: Editing, follow: () => void): void {
   undoKeys(
     // Where the pair is what is shown.
-    () => byId('view').offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== 'mask' && !marksHaveKeys(store.state),
+    () => byId('view').offsetParent !== null && hasSteps(store.state) && store.state.tool !== 'mask' && !marksHaveKeys(store.state),
     (by) => editing.step(by),
   );
   const move = () => {

@@ -1,10 +1,13 @@
 /** A match that is measured by hand: where it lies so far, and where its other point may be. */
 import { movedWith, NEIGHBOURS, onLine } from '../../shared/state/neighbours';
+import { recorded } from '../../shared/state/history';
+import type { History } from '../../shared/state/history';
 import { remember } from '../../shared/state/remember';
+import { say } from '../../shared/text/words';
 import { BY_HAND, MATCHED } from './codes';
 import { editedPair, placeOfLeft, targetOfLeft } from './edited';
 import type { Edited } from './edited';
-import { exchangedTarget, freshNumber } from './edits';
+import { exchangedTarget, freshNumber, nameOfEdit } from './edits';
 import type { Edit, Place } from './edits';
 import { isCurrent } from './keys';
 import { roundedPx } from '../../shared/state/pane';
@@ -90,6 +93,25 @@ export function moving(state: State): Draft | null {
 /** The draft of exchanged images. */
 export function exchangedDraft({ of, places, side }: Draft): Draft {
   return { of: of === null ? null : exchangedTarget(of), places: { left: places.right, right: places.left }, side: otherSide(side) };
+}
+
+/** What is done of a match before it is accepted: a point of it. */
+export const PLACE = 'place';
+
+/** The steps as they are undone: while a match is measured its last point is the last of them, after which none can be made again. */
+export function stepsWithDraft({ history, draft }: Pick<State, 'history' | 'draft'>): History<Edit | typeof PLACE> {
+  return draft === null ? history : recorded<Edit | typeof PLACE>(history, PLACE);
+}
+
+/** What a step did, of a match that is measured, too. */
+export const nameOfStep = (step: Edit | typeof PLACE): string => (step === PLACE ? say('step-of-draft') : nameOfEdit(step));
+
+/** A new match without the point that was placed last; null where nothing of it is left, and of one that was there, which stays where it was. */
+export function withoutPlace(draft: Draft): Draft | null {
+  const { of, places, side } = draft;
+  const placed = places[side] === null ? otherSide(side) : side;
+  if (of !== null || places[otherSide(placed)] === null) return null;
+  return { ...draft, places: { ...places, [placed]: null }, side: placed };
 }
 
 /** Whether the point that is placed now lies where it is expected: nobody has measured it yet. */

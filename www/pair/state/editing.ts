@@ -1,12 +1,12 @@
 /** What a user does to matches, whatever was pressed for it. */
 import { editOfChoice, keysOfLefts, toggled } from './choice';
-import { begun, editOfDraft, moving, placed, placeOfDraft } from './draft';
+import { begun, editOfDraft, moving, placed, placeOfDraft, withoutPlace } from './draft';
 import { editedPair, leftsByTarget } from './edited';
 import { keyOfTarget } from './edits';
 import { leftIndexOf } from './selected';
 import type { Position } from '../../shared/state/pane';
 import { otherSide } from './state';
-import type { Selection, Side, Tool } from './state';
+import type { Draft, Selection, Side, Tool } from './state';
 import type { Store } from './store';
 import { say } from '../../shared/text/words';
 
@@ -25,8 +25,13 @@ export class Editing {
     if (edit !== null) this.store.dispatch({ type: 'edit', edit });
   }
 
-  /** Takes edits back, or makes them again. */
+  /** Takes edits back, or makes them again; of a match that is measured the point that was placed last, which comes before any edit. */
   step(by: 1 | -1): void {
+    const { draft } = this.store.state;
+    if (draft !== null) {
+      if (by < 0) this.withoutPlace(draft);
+      return;
+    }
     this.store.dispatch({ type: 'goto', done: this.store.state.history.done + by });
   }
 
@@ -121,6 +126,12 @@ export class Editing {
     else if (chosen.length > 0) this.chooseNone();
     else return false;
     return true;
+  }
+
+  private withoutPlace(draft: Draft): void {
+    // One that was there is measured no more.
+    if (draft.of === null) this.store.dispatch({ type: 'draft', draft: withoutPlace(draft) });
+    else this.leave();
   }
 
   private chooseAll(keys: readonly string[]): void {

@@ -701,6 +701,7 @@ takes-the-mark-back = يمحو موضع قياس العلامة
 pictures-of-a-pair-while-masking = صور الزوج، أثناء تقنيع مساحات
 places-a-corner-in-the-middle = يضع ركنًا للمساحة في وسط الصورة
 takes-the-last-corner-back = يتراجع عن آخر ركن
+step-of-draft = وضع نقطة من المطابقة
 step-of-outline = آخر جزء من التحديد
 anywhere-while-masking = في أي مكان، أثناء تحديد مساحة
 gives-the-outline-up = يتخلى عن التحديد

@@ -763,6 +763,7 @@ takes-the-mark-back = clears the measured place of the mark
 pictures-of-a-pair-while-masking = Pictures of a pair, while areas are masked
 places-a-corner-in-the-middle = places a corner of the area in the middle of the picture
 takes-the-last-corner-back = takes the last corner back
+step-of-draft = place a point of the match
 step-of-outline = the last part of the outline
 anywhere-while-masking = Anywhere, while an area is outlined
 gives-the-outline-up = gives the outline up
