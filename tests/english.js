@@ -35,7 +35,7 @@ const HIDDEN = new Set(['class', 'className', 'testid', 'key', 'id', 'name', 'fo
 
 /** Calls that take selectors, names and addresses. */
 const TECHNICAL =
-  /^(?:say|sayNamed|message|byId|closest|matches|querySelector(?:All)?|getElementById|getAttribute|setAttribute|addEventListener|spawnWorker|call|text|log|warn|add|remove|contains)$/u;
+  /^(?:say|message|byId|closest|matches|querySelector(?:All)?|getElementById|getAttribute|setAttribute|addEventListener|spawnWorker|call|text|log|warn|add|remove|contains)$/u;
 
 /** Symbols, units, keys, names of programs and formats: the same in every language. */
 export const SAME =

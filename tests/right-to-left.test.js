@@ -83,10 +83,17 @@ test('units have their signs in English', () => {
   assert.deepEqual([axes.titleOf(data.x), axes.titleOf(data.y)], ['x', 'y, px']);
 });
 
-test('in Arabic units are in its letters in heads, after figures and on axes, and have their signs in files', async () => {
+test('in Arabic units are in its letters in heads, after figures, on axes and in files, and what a map says of its scale runs as a sentence of it', async () => {
   // As a worker is told its language.
   Object.assign(globalThis, { name: 'test ar' });
-  const arabic = await pageModules(['shared/text/words', 'shared/text/units', 'shared/state/rows', 'block/view/plot/axes', 'block/state/plot-words']);
+  const arabic = await pageModules([
+    'shared/text/words',
+    'shared/text/units',
+    'shared/state/rows',
+    'block/view/map/frame',
+    'block/view/plot/axes',
+    'block/state/plot-words',
+  ]);
   Object.assign(globalThis, { name: '' });
   const files = ['www/shared/text/ar/block', 'src/catalogue/ar-options', 'www/shared/text/ar/pair', 'www/shared/text/ar/shared'];
   arabic.words.learn(files.map((file) => readFileSync(new URL(`../${file}.ftl`, import.meta.url), 'utf8')));
@@ -110,10 +117,18 @@ test('in Arabic units are in its letters in heads, after figures and on axes, an
   // The unit stands after the last figure, and the full stop after the unit: the clause of the unit runs as its sentence does.
   const data = { x: { label: 'x', unit: '', values: Float64Array.of(1) }, y: { label: 'y', unit: 'px', values: Float64Array.of(0.5) } };
   assert.match(arabic.plot_words.plotText(data), new RegExp(`${PDI}${RLI}${RLI} ${PDI}${FSI}بكسل${PDI}${PDI}\\.$`, 'u'));
-  // Files for other programs.
-  const column = { key: 'v', label: 'v', unit: 'px', help: '', value: () => 1, text: () => '1' };
-  assert.equal(
-    arabic.rows.csvOf([column], [0], (/** @type {string} */ text) => text),
-    'v [px]\n1\n',
+  // A canvas runs from left to right: what stands on it is set apart as a whole, and no word of it is in other letters.
+  /** @type {string[]} */
+  const written = [];
+  const context = new Proxy({ fillText: (/** @type {string} */ text) => written.push(text) }, { get: (own, name) => Reflect.get(own, name) ?? (() => {}) });
+  const colours = { ground: '', text: '' };
+  for (const system of ['geographic', 'own']) arabic.frame.paintScale(context, colours, { scale: 1, tx: 0, ty: 0 }, 100, system, system === 'own' ? null : 1.4);
+  assert.deepEqual(
+    written.map((text) => text.replaceAll(/[\u2066-\u2069]/gu, '')),
+    ['100 م', 'مسافة العينة الأرضية 1.4 م', '100 من وحدات الكتلة'],
   );
+  for (const text of written) assert.ok(text.startsWith(RLI) && text.endsWith(PDI), text);
+  // Files of what is shown.
+  const column = { key: 'v', label: `${FSI}v${PDI}`, unit: 'px', help: '', value: () => 1, text: () => `${LRI}−1${PDI}` };
+  assert.equal(arabic.rows.csvOf([column], [0]), 'v [بكسل]\n-1\n');
 });

@@ -1,8 +1,8 @@
 /** The plots of a block on the stage: which one, what it says in words, its picture and its values as files. */
+import { saveCsv } from '../../shared/files/csv';
 import { save } from '../../shared/files/save';
 import { choice } from '../../shared/panel/choice';
 import { button, h } from '../../shared/panel/dom';
-import { csvOf } from '../../shared/state/rows';
 import type { Column } from '../../shared/state/rows';
 import type { Facts } from '../engine/facts';
 import { PLOTS } from '../state/plots';
@@ -11,7 +11,6 @@ import { plotText } from '../state/plot-words';
 import { Plot } from '../view/plot/plot';
 import { KEYS_ID } from './view';
 import type { StageView } from './view';
-import { intoEnglish } from '../../shared/engine/texts';
 import { say } from '../../shared/text/words';
 import { declareLack } from '../../shared/panel/lack';
 
@@ -38,7 +37,7 @@ export function plotsView(facts: Facts): StageView {
         if (store.state.notice?.kind !== 'busy') store.dispatch({ type: 'notice', notice: { kind: 'info', text: say('was-saved', { name }), beside: true } });
       };
       const picture = button('PNG', 'plot-png', () => void savePicture(plot, saved), say('saves-the-plot-as-it'));
-      const values = button('CSV', 'plot-csv', () => void saveValues(plot, saved), say('saves-the-values-of-the'));
+      const values = button('CSV', 'plot-csv', () => saveValues(plot, saved), say('saves-the-values-of-the'));
       declareLack([picture, values], () => (picture.disabled ? say('no-plot-is-shown') : ''));
       const show = () => {
         const data = plot.data();
@@ -65,7 +64,7 @@ async function savePicture(plot: Plot, saved: (name: string) => void): Promise<v
   saved(name);
 }
 
-async function saveValues(plot: Plot, saved: (name: string) => void): Promise<void> {
+function saveValues(plot: Plot, saved: (name: string) => void): void {
   const data = plot.data();
   if (data === null) return;
   const column = ({ label, unit, values, names }: Axis): Column => ({
@@ -78,11 +77,6 @@ async function saveValues(plot: Plot, saved: (name: string) => void): Promise<vo
     ...(names === undefined ? {} : { words: true }),
   });
   const name = `block-${plot.shows}.csv`;
-  save(
-    new Blob([csvOf([...(data.about ?? []), column(data.x), column(data.y), ...(data.more ?? [])], data.x.values.keys(), await intoEnglish())], {
-      type: 'text/csv',
-    }),
-    name,
-  );
+  saveCsv([...(data.about ?? []), column(data.x), column(data.y), ...(data.more ?? [])], data.x.values.keys(), name);
   saved(name);
 }

@@ -15,7 +15,7 @@ import type { ResultSystem } from './result-system';
 import { unitOf } from './scale';
 import type { BlockView, ViewGiven } from './view';
 import { geometryText, givenUse, matchesOf, outcomeText } from './words';
-import { say, sayNamed } from '../../shared/text/words';
+import { say } from '../../shared/text/words';
 
 /** Tables whose rows are known as soon as the block is. */
 export type Tabled = Exclude<Subject, 'observations'>;
@@ -191,7 +191,7 @@ function surveyedRows(view: BlockView, given: readonly ViewGiven[], asGiven: Coo
         ? axes.map((axis, k) =>
             numbers(
               `given-${axis}`,
-              sayNamed('as-given', { axis }),
+              say('as-given', { axis }),
               '',
               3,
               (i) => beside(i)?.position[k] ?? asGiven.get(surveyed[i]?.name ?? '')?.[k] ?? NaN,
@@ -227,7 +227,7 @@ function surveyedRows(view: BlockView, given: readonly ViewGiven[], asGiven: Coo
       ...axes.map((axis, k) =>
         numbers(
           `left-out-${axis}`,
-          sayNamed('difference-left-out', { axis }),
+          say('difference-left-out', { axis }),
           'm',
           3,
           (i) => surveyed[i]?.left_out?.difference[k],
@@ -238,7 +238,7 @@ function surveyedRows(view: BlockView, given: readonly ViewGiven[], asGiven: Coo
       ...axes.map((axis, k) =>
         numbers(
           `left-out-sigma-${axis}`,
-          sayNamed('standard-error-left-out', { axis }),
+          say('standard-error-left-out', { axis }),
           'm',
           3,
           (i) => surveyed[i]?.left_out?.standard_errors[k],
@@ -251,7 +251,7 @@ function surveyedRows(view: BlockView, given: readonly ViewGiven[], asGiven: Coo
 }
 
 function roleText(role: 'control' | 'check' | undefined): string {
-  return role === undefined ? '' : sayNamed('role', { role });
+  return role === undefined ? '' : say('role', { role });
 }
 
 const AXES = ['x', 'y'];

@@ -12,7 +12,7 @@ import { unitOf } from './scale';
 import { choiceOfImages, choiceOfPoints, imagesOf, pointsOf } from './selection';
 import type { Choice } from './selection';
 import type { BlockView } from './view';
-import { say, sayNamed } from '../../shared/text/words';
+import { say } from '../../shared/text/words';
 
 export type PlotName = 'residuals' | 'w' | 'detectable' | 'images' | 'rays' | 'sigma-plan' | 'sigma-height' | 'gnss' | 'surveyed-plan' | 'surveyed-height';
 
@@ -196,7 +196,7 @@ const surveyedPoints = remember(({ surveyed }: BlockView, plan: boolean): PlotDa
   const groupOf = (row: number) => (used[row]?.role === 'check' ? 'check' : judged[row]?.isLeftOut === true ? 'left_out' : 'adjusted');
   const kinds = SURVEYED_KINDS.filter(({ key }) => used.some((_, row) => groupOf(row) === key));
   const kindText = (row: number) => kinds.find(({ key }) => key === groupOf(row))?.label ?? '';
-  const role = (row: number) => sayNamed('role', { role: used[row]?.role ?? 'check' });
+  const role = (row: number) => say('role', { role: used[row]?.role ?? 'check' });
   const data = ofPoints(
     Uint32Array.from(used, ({ point }) => point),
     { label: say('point'), unit: '', values: Float64Array.from(used.keys()), names: used.map(({ name }) => name) },

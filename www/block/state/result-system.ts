@@ -4,7 +4,7 @@ import type { CountedFrom } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import { fixed } from '../../shared/text/format';
 import { withUnit } from '../../shared/text/units';
-import { sayNamed } from '../../shared/text/words';
+import { say } from '../../shared/text/words';
 import { median } from './ground';
 import { unitOf } from './scale';
 import { mapped } from '../../shared/state/plane-map';
@@ -97,7 +97,7 @@ function unitOfLength(perM: number): Unit {
 
 /** The head of a coordinate: with the system that it is in, where that has a name. */
 export function headOf({ code }: ResultSystem, axis: string): string {
-  return code === '' ? axis : sayNamed('in-system', { axis, code });
+  return code === '' ? axis : say('in-system', { axis, code });
 }
 
 /** X and Y of a system are in one unit, Z in another where it has one. */

@@ -3,7 +3,7 @@ import type { GivenLink, LinkUse } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import { linkOf } from './links';
 import type { LinkedImage, Links } from './links';
-import { say, sayNamed } from '../../shared/text/words';
+import { say } from '../../shared/text/words';
 
 type Place = [number, number];
 
@@ -69,8 +69,8 @@ const addedLinks = remember((steps: readonly LinkStep[], done: number): Links | 
 export function useWord({ steps, done }: Handled, link: number, use: LinkUse, byHand = false): string {
   const last = steps.slice(0, done).findLast((step) => step.kind !== 'add' && step.link === link);
   const isByUser = last?.kind === 'reject';
-  if (byHand) return sayNamed('link-measured-by-hand', { use: use !== 'rejected' ? use : isByUser ? 'by_hand' : 'gross_error' });
-  if (use !== 'rejected') return sayNamed('link-use', { use });
+  if (byHand) return say('link-measured-by-hand', { use: use !== 'rejected' ? use : isByUser ? 'by_hand' : 'gross_error' });
+  if (use !== 'rejected') return say('link-use', { use });
   return isByUser ? say('rejected-by-hand-2') : say('rejected-as-a-gross-error');
 }
 

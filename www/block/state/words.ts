@@ -11,7 +11,7 @@ import { coordinatesText, resultSystem } from './result-system';
 import { inUnitOf } from './scale';
 import type { BlockView, ViewConnection, ViewGeometry, ViewGiven } from './view';
 import { message } from '../../shared/text/messages';
-import { say, sayNamed } from '../../shared/text/words';
+import { say } from '../../shared/text/words';
 
 /** The connection of two images; undefined where they were not tried. */
 export function connectionOf(view: BlockView, pair: readonly [number, number]): ViewConnection | undefined {
@@ -164,7 +164,7 @@ export function controlText(state: WithMarks): string {
 
 /** What a given point is for, and how far it is. */
 export function givenUse({ role, images }: ViewGiven): string {
-  return sayNamed('given-use', { role: role ?? 'none', images });
+  return say('given-use', { role: role ?? 'none', images });
 }
 
 function describePoints(view: BlockView, chosen: Uint32Array): string {

@@ -1,8 +1,7 @@
 /** The texts of the page in parts, each a file of its own: only those of the language that is chosen are loaded, and those of the block with it. */
-import { Catalogue } from '../text/catalogue';
 import { LANGUAGE } from '../text/language';
 import type { Language } from '../text/language';
-import { learn, nameOfText } from '../text/words';
+import { learn } from '../text/words';
 import { loadPart } from './parts';
 
 type TextPart = 'program' | 'block';
@@ -27,15 +26,4 @@ export async function learnPart(part: TextPart): Promise<void> {
   if (learned.includes(part)) return;
   learned.push(part);
   learn(texts);
-}
-
-/** What writes a text of the page in English, as far as its name is known: files for other programs are English in every language. */
-export async function intoEnglish(): Promise<(text: string) => string> {
-  if (LANGUAGE === 'en') return (text) => text;
-  const english = new Catalogue('en', false);
-  for (const texts of await Promise.all(learned.map((part) => textsOf('en', part)))) english.add(texts);
-  return (text) => {
-    const said = nameOfText(text);
-    return (said === null ? null : english.text(said.name, said.figures)) ?? text;
-  };
 }

@@ -10,9 +10,9 @@ import { button, fill, h } from './dom';
 export interface Doing {
   hide: (hidden: ReadonlySet<string>) => void;
   /** Saves them as a file. */
-  csv: () => Promise<void>;
+  csv: () => void;
   /** What is copied. */
-  copied: () => Promise<string>;
+  copied: () => string;
   clear: () => void;
 }
 
@@ -41,7 +41,7 @@ export class TableBar {
       this.rows,
     );
     this.clear = button(say('show-all'), `${testid}-clear`, doing.clear, say('takes-away-what-is-typed'));
-    const csv = button('CSV', `${testid}-csv`, () => void this.save(csv), say('saves-the-rows-and-columns'));
+    const csv = button('CSV', `${testid}-csv`, doing.csv, say('saves-the-rows-and-columns'));
     const copy = button(say('copy-2'), `${testid}-copy`, () => void this.copy(copy), say('copies-the-rows-and-columns'));
     const columns = button(say('columns'), `${testid}-columns`, () => this.unfold(columns, this.list.classList.toggle('is-open')));
     columns.setAttribute('aria-expanded', 'false');
@@ -94,13 +94,8 @@ export class TableBar {
   }
 
   private async copy(press: HTMLElement): Promise<void> {
-    const done = await this.doing.copied().then(toClipboard, () => false);
+    const done = await toClipboard(this.doing.copied());
     tellOn(press, done ? say('copied') : say('not-copied'));
-  }
-
-  private async save(press: HTMLElement): Promise<void> {
-    // The heads of a file are English, whose texts another language loads for it.
-    await this.doing.csv().catch(() => tellOn(press, say('not-saved')));
   }
 }
 

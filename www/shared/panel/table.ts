@@ -1,13 +1,12 @@
 /** A table of any length: sorted by any of its columns, searched, chosen from by mouse and keys, and saved as it is shown. */
-import { save } from '../files/save';
+import { saveCsv } from '../files/csv';
 import { remember } from '../state/remember';
-import { conditionOf, conditionText, csvOf, keeping, keptOf, ordered, tabbedOf, totalOf } from '../state/rows';
+import { conditionOf, conditionText, keeping, keptOf, ordered, tabbedOf, totalOf } from '../state/rows';
 import type { Column, Filter, Order, Part, Total } from '../state/rows';
 import { count as counted, fixed } from '../text/format';
 import { fill, h } from './dom';
 import { RowsInSight, sortHead } from './rows';
 import { TableBar } from './table-bar';
-import { intoEnglish } from '../engine/texts';
 import { say } from '../text/words';
 import { unitText } from '../text/units';
 
@@ -99,10 +98,8 @@ export class Table {
             words.table,
             {
               hide: (hidden) => this.hide(hidden),
-              csv: async () => {
-                save(new Blob([csvOf(this.columns, this.shown, await intoEnglish())], { type: 'text/csv' }), file);
-              },
-              copied: async () => tabbedOf(this.columns, this.shown, await intoEnglish()),
+              csv: () => saveCsv(this.columns, this.shown, file),
+              copied: () => tabbedOf(this.columns, this.shown),
               clear: () => {
                 if (options.showAll === undefined) options.filter?.({});
                 else options.showAll();

@@ -1,4 +1,6 @@
 /** Rows of a table as figures and words: which are kept, in which order they are shown, and their text in a file. */
+import { withoutParts } from '../text/direction';
+import { unitText } from '../text/units';
 
 export interface Column {
   key: string;
@@ -150,13 +152,10 @@ export function totalOf(column: Column, rows: Iterable<number>): number {
   return column.total === 'sum' ? sum : column.total === 'mean' ? sum / count : Math.sqrt(squares / count);
 }
 
-/** Writes a text of the page in English: files for other programs are English in every language. */
-type InEnglish = (text: string) => string;
-
-/** The head of a column in a file: its unit stands with it. */
-function headText({ label, unit }: Column, inEnglish: InEnglish): string {
-  const name = inEnglish(label);
-  return unit === '' ? name : `${name} [${unit}]`;
+/** The head of a column in a file: as it is shown, with its unit, and without marks of direction, which nobody could type who asks for the column. */
+function headText({ label, unit }: Column): string {
+  const text = withoutParts(label).replaceAll(/[\u200e\u200f]/gu, '');
+  return unit === '' ? text : `${text} [${unitText(unit)}]`;
 }
 
 /**
@@ -168,26 +167,26 @@ function guarded(text: string): string {
 }
 
 /** A figure as programs read it: without groups of digits, signs of typography and dashes. What is no number is a text. */
-function plain(column: Column, row: number, inEnglish: InEnglish): string {
-  const text = column.text(row);
-  if (column.words === true) return guarded(inEnglish(text));
+function plain(column: Column, row: number): string {
+  const text = withoutParts(column.text(row));
+  if (column.words === true) return guarded(text);
   const figure = text.replaceAll('\u202f', '').replaceAll('−', '-').replace(/^–$/u, '');
   return Number.isNaN(Number(figure)) ? guarded(figure) : figure;
 }
 
 /** The rows as lines of comma-separated values (RFC 4180), under their heads. */
-export function csvOf(columns: readonly Column[], rows: Iterable<number>, inEnglish: InEnglish): string {
+export function csvOf(columns: readonly Column[], rows: Iterable<number>): string {
   const field = (text: string) => (/[",\r\n]/u.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-  return linesOf(columns, rows, field, ',', inEnglish);
+  return linesOf(columns, rows, field, ',');
 }
 
 /** The rows as a spreadsheet takes them from the clipboard. */
-export function tabbedOf(columns: readonly Column[], rows: Iterable<number>, inEnglish: InEnglish): string {
-  return linesOf(columns, rows, (text) => text.replaceAll(/[\t\r\n]/gu, ' '), '\t', inEnglish);
+export function tabbedOf(columns: readonly Column[], rows: Iterable<number>): string {
+  return linesOf(columns, rows, (text) => text.replaceAll(/[\t\r\n]/gu, ' '), '\t');
 }
 
-function linesOf(columns: readonly Column[], rows: Iterable<number>, field: (text: string) => string, between: string, inEnglish: InEnglish): string {
-  const lines = [columns.map((column) => field(guarded(headText(column, inEnglish)))).join(between)];
-  for (const row of rows) lines.push(columns.map((column) => field(plain(column, row, inEnglish))).join(between));
+function linesOf(columns: readonly Column[], rows: Iterable<number>, field: (text: string) => string, between: string): string {
+  const lines = [columns.map((column) => field(guarded(headText(column)))).join(between)];
+  for (const row of rows) lines.push(columns.map((column) => field(plain(column, row))).join(between));
   return `${lines.join('\n')}\n`;
 }

@@ -50,3 +50,8 @@ export function asSentence(text: string): string {
 export function asFigure(text: string): string {
   return IS_FROM_RIGHT ? `${LRI}${text}${PDI}` : text;
 }
+
+/** Without the marks that set parts of a text apart: other programs have nothing to do with them. */
+export function withoutParts(text: string): string {
+  return text.replaceAll(/[\u2066-\u2069]/gu, '');
+}

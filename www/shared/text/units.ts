@@ -1,4 +1,4 @@
-/** Units in the language of the page. Files for other programs have their signs. */
+/** Units in the language of the page. Exchange files, whose heads are fixed, have their signs. */
 import { asFigure, asSentence } from './direction';
 import { known } from './words';
 

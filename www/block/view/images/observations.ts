@@ -7,6 +7,7 @@ import { drawView, halfSize } from '../../../shared/view/panes';
 import type { Rect, Transform } from '../../../shared/view/transform';
 import type { ImagePoints } from '../../state/facts';
 import type { Pane } from './scene';
+import { asSentence } from '../../../shared/text/direction';
 import { say } from '../../../shared/text/words';
 
 /** Styles by code: what the adjustment accepted and rejected, what was rejected by hand and what was measured by hand. */
@@ -90,7 +91,7 @@ const BAR = 70;
 export function drawScaleBar(context: CanvasRenderingContext2D, factor: number, { transform, rect }: Pick<Pane, 'transform' | 'rect'>): void {
   const { px, length } = barOf(factor * transform.scale);
   const [x, y] = [rect.left + 10, rect.top + rect.height - 10];
-  const text = say('px-4', { px, factor });
+  const text = asSentence(say('px-4', { px, factor }));
   within(context, rect, () => {
     context.font = '11px system-ui, sans-serif';
     const width = Math.max(length, context.measureText(text).width) + 12;

@@ -137,7 +137,7 @@ export function paintScale(
   }
   context.font = '11px system-ui, sans-serif';
   context.textAlign = 'center';
-  haloed(context, colours, lengthText(length, system, unit), left + wide / 2, base - 6);
+  haloed(context, colours, asSentence(lengthText(length, system, unit)), left + wide / 2, base - 6);
   context.textAlign = 'left';
   if (gsd !== null) haloed(context, colours, asSentence(gsdText(gsd)), left + wide + 12, base);
   context.restore();

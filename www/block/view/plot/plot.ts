@@ -3,7 +3,7 @@ import type { Colours } from '../../../shared/view/colours';
 import { within } from '../../../shared/view/layers';
 import { toCanvas, toPosition } from '../../../shared/view/transform';
 import type { Rect, Transform } from '../../../shared/view/transform';
-import { asSentence } from '../../../shared/text/direction';
+import { asFigure, asSentence } from '../../../shared/text/direction';
 import { fixed } from '../../../shared/text/format';
 import { remember } from '../../../shared/state/remember';
 import type { BlockStore } from '../../engine/engine';
@@ -317,8 +317,11 @@ export class Plot extends Chart {
 
   /** What the value under the pointer is. */
   private paintValue(context: CanvasRenderingContext2D, colours: Colours, { x, y, said }: PlotData, row: number, [px, py]: [number, number], area: Rect): void {
-    const value = ({ unit, values, names }: PlotData['x']) => names?.[Math.round(values[row] ?? NaN)] ?? withUnit(figure(values[row] ?? NaN), unit);
-    const text = said === undefined ? `${value(x)}: ${value(y)}` : asSentence(said(row));
+    const value = ({ unit, values, names }: PlotData['x']) => {
+      const name = names?.[Math.round(values[row] ?? NaN)];
+      return name === undefined ? withUnit(figure(values[row] ?? NaN), unit) : asFigure(name);
+    };
+    const text = asSentence(said === undefined ? `${value(x)}: ${value(y)}` : said(row));
     const wide = context.measureText(text).width + 12;
     // One that is longer than the picture begins at its edge.
     const left = Math.max(Math.min(area.left, this.layers.width - wide), 0, Math.min(px + 8, area.left + area.width - wide));

@@ -372,7 +372,6 @@ the-file-of-the-page =
 the-block-was-not-loaded = جزء الصفحة الخاص بالكتل غير متاح: { $error } اضغط ثانيةً لإعادة المحاولة.
 a-part-of-the-page = تعذر تحميل جزء من الصفحة.
 try-again = أعد المحاولة
-not-saved = لم يُحفظ
 opening-kept-work = يجري فتح «{ $title }» الذي حفظه هذا المتصفح …
 history-earlier = { $edits ->
     [one] تعديل سابق واحد …

@@ -409,7 +409,6 @@ the-file-of-the-page =
 the-block-was-not-loaded = The part of the page for blocks is not there: { $error } Press again to try once more.
 a-part-of-the-page = A part of the page could not be loaded.
 try-again = Try again
-not-saved = Not saved
 opening-kept-work = Opening “{ $title }”, which this browser kept …
 history-earlier = { $edits ->
     [one] 1 earlier edit …
