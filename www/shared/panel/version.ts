@@ -1,4 +1,5 @@
 /** The button that names the version of the program, and opens what is known about it. */
+import { aboutDialog } from './about-dialog';
 import { LatePart, loadPart } from '../engine/parts';
 import { sentence } from '../text/format';
 import { messageOf } from '../text/messages';
@@ -9,8 +10,7 @@ export function nameVersion(press: HTMLElement, version: string): void {
   press.textContent = name;
   press.title = say('version-and-licences');
   const dialog = new LatePart(async () => {
-    const { aboutDialog } = await loadPart('about.js', () => import('./about'));
-    const made = aboutDialog(name);
+    const made = aboutDialog(name, await loadPart('about.js', () => import('./about')));
     document.body.append(made);
     return made;
   });

@@ -106,7 +106,7 @@ the-project = The project
 another-tab-has-this-project = another tab has this project open: close it there first
 a-later-version-of-this-page = a later version of this page wrote it
 
-## panel/about
+## panel/about-dialog
 
 version-and-licences = Version and licences
 close-2 = Close
