@@ -130,6 +130,26 @@ test('a match that is selected moves neither the answer nor the pictures at 1366
   await close();
 });
 
+test('the sentence of an answer has three lines at the most beside open details and three buttons at 1366 × 768 px', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true, options: { viewport: { width: 1366, height: 768 } } });
+  await pair(page);
+  await part(page, 'details').click();
+  await page.locator('#panel-results').waitFor();
+  // As where a run waits for a press.
+  await part(page, 'run').evaluate((run) => run.removeAttribute('hidden'));
+  for (const id of ['next', 'run', 'details', 'figures']) assert.ok(await part(page, id).isVisible(), id);
+  const lines = await part(page, 'status')
+    .locator('strong')
+    .evaluate((sentence) => {
+      const range = document.createRange();
+      range.selectNodeContents(sentence);
+      return new Set([...range.getClientRects()].map(({ bottom }) => Math.round(bottom))).size;
+    });
+  assert.ok(lines > 0 && lines <= 3, `${lines} lines`);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('matches alone are drawn at first; one press shows the rejected points, and a press on one says why', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ fresh: true });
   await pair(page);
