@@ -43,6 +43,12 @@ async function seen(page, view = 'view') {
 /** What a layer of the view holds.  @param {Page} page @param {string} layer */
 const held = (page, layer) => part(page, layer).evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
 
+/** What a button that unfolds the sliders is called, and whether it has a mark.  @param {Page} page @param {string} id */
+const marked = (page, id) =>
+  page
+    .locator(`button[data-testid="${id}"]`)
+    .evaluate((press) => [press.getAttribute('aria-label'), getComputedStyle(press, '::before').borderTopStyle === 'solid']);
+
 /** @param {Page} page */
 const unfold = (page) => page.locator('button[data-testid="view-light"]').click();
 
@@ -63,8 +69,10 @@ test('brightness and contrast change how a pair is seen, and nothing else; they 
 
   await unfold(page);
   assert.ok(await part(page, 'view-light-reset').isDisabled());
+  assert.deepEqual(await marked(page, 'view-light'), ['Brightness and contrast', false]);
   await part(page, 'view-brightness').fill('-0.6');
   await page.keyboard.press('Escape');
+  assert.deepEqual(await marked(page, 'view-light'), ['Brightness and contrast: brightness 52 %, contrast 100 %', true]);
   const dark = await seen(page);
   assert.ok((dark.mean[0] ?? 0) < 0.9 * (before.mean[0] ?? 0), `${dark.mean} of ${before.mean}`);
   assert.deepEqual(await Promise.all(['pictures', 'masks', 'marks'].map((name) => held(page, `layer-${name}`))), [picture, mask, marks]);
@@ -91,6 +99,7 @@ test('brightness and contrast change how a pair is seen, and nothing else; they 
   assert.equal(await part(page, 'view-contrast').inputValue(), '0');
   await part(page, 'view-light-reset').click();
   assert.equal(await part(page, 'view-brightness').inputValue(), '0');
+  assert.deepEqual(await marked(page, 'view-light'), ['Brightness and contrast', false]);
   const after = await seen(page);
   assert.ok(Math.abs((after.mean[0] ?? 0) - (before.mean[0] ?? 0)) < 1, `${after.mean} of ${before.mean}`);
   const plain = await colours(page, await saved(page, 'export-png'));
@@ -134,6 +143,7 @@ test('the images of a block have the same sliders, which show the light that hol
   await part(page, 'images-menu').click();
   await part(page, 'images-brightness').fill('-0.6');
   await page.keyboard.press('Escape');
+  assert.deepEqual(await marked(page, 'images-menu'), ['View: brightness 52 %, contrast 100 %', true]);
   const dark = await seen(page, 'block-panes');
   assert.ok((dark.mean[0] ?? 0) < 0.75 * (before.mean[0] ?? 0), `${dark.mean} of ${before.mean}`);
   await part(page, 'images-menu').click();

@@ -253,7 +253,8 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
   });
   declareLack([pair], () => (pairOf(store) === null ? say('needs-two-shown') : ''));
   pair.title = say('match-the-two-images-that');
-  const light = makeLight('images-', host, set);
+  const unfold = h('button', { type: 'button', class: 'menu-button', testid: 'images-menu' }, say('view'));
+  const light = makeLight('images-', host, set, [[unfold, say('view-2')]]);
   const more = h(
     'div',
     { class: 'more image-more', id: 'images-more' },
@@ -263,7 +264,6 @@ function toolsOf(host: HTMLElement, store: BlockStore, view: ImagesView, looking
     imageLegend('images-menu-legend', view),
   );
   const other = button(say('other-images'), 'images-other', () => view.turn(1), say('other-images-title'));
-  const unfold = h('button', { type: 'button', class: 'menu-button', testid: 'images-menu' }, say('view'));
   mountMenu(unfold, more);
   store.watch(['panes', 'shown'], ([panes, shown]) => {
     const { look } = panes;

@@ -30,9 +30,13 @@ export function mountToolbar(host: HTMLElement, store: Store, navigator: Navigat
   const [vectors, vectorSelect] = vectorChoice('layer-vectors', (vectors) => set({ vectors }));
   const linked = toggle(say('linked'), 'linked', say('pan-and-zoom-both-images'), (on) => set({ linked: on }));
   const magnifier = toggle(say('magnifier'), 'magnifier', say('enlarge-what-is-under-the-pointer'), (on) => set({ magnifier: on }));
-  const light = makeLight('view-', byId('view'), set);
-  const sliders = h('div', { class: 'menu', id: 'view-light' }, ...light.elements);
   const unfoldLight = labelled('◐', 'view-light', say('brightness-and-contrast'), () => undefined);
+  const unfold = h('button', { type: 'button', class: 'menu-button', testid: 'view-menu' }, say('view'));
+  const light = makeLight('view-', byId('view'), set, [
+    [unfoldLight, say('brightness-and-contrast')],
+    [unfold, say('view-2')],
+  ]);
+  const sliders = h('div', { class: 'menu', id: 'view-light' }, ...light.elements);
   mountMenu(unfoldLight, sliders);
   const more = h(
     'div',
@@ -48,7 +52,6 @@ export function mountToolbar(host: HTMLElement, store: Store, navigator: Navigat
     labelled('‹', 'previous-point', say('previous-point-p'), () => navigator.step(-1)),
     labelled('›', 'next-point', say('next-point-n'), () => navigator.step(1)),
   );
-  const unfold = h('button', { type: 'button', class: 'menu-button', testid: 'view-menu' }, say('view'));
   mountMenu(unfold, more);
   host.append(points, unmatched, h('span', { class: 'divider' }), ...zoomButtons('', say('whole-images'), () => navigator), unfold, more);
   store.watch(['results'], () => {

@@ -9,8 +9,16 @@ import { declareLack } from './lack';
 /** A slider goes from the one share to the other in even steps of their ratio. */
 const MOST = 3;
 
-/** `prefix` of the test ids; `host` shows the pictures. `show` shows the light that holds. */
-export function makeLight(prefix: string, host: HTMLElement, set: (light: Partial<Light>) => void): { elements: HTMLElement[]; show: (light: Light) => void } {
+/**
+ * `prefix` of the test ids; `host` shows the pictures. `show` shows the light that holds, with a mark on `presses`, the buttons that unfold the sliders, by their
+ * labels: pictures that are not as their files have them are known as such while the sliders are folded.
+ */
+export function makeLight(
+  prefix: string,
+  host: HTMLElement,
+  set: (light: Partial<Light>) => void,
+  presses: readonly (readonly [press: HTMLElement, label: string])[],
+): { elements: HTMLElement[]; show: (light: Light) => void } {
   const brightness = slider(say('brightness'), `${prefix}brightness`, (share) => set({ brightness: share }));
   const contrast = slider(say('contrast'), `${prefix}contrast`, (share) => set({ contrast: share }));
   const reset = button(say('light-reset'), `${prefix}light-reset`, () => {
@@ -25,10 +33,20 @@ export function makeLight(prefix: string, host: HTMLElement, set: (light: Partia
       brightness.show(light.brightness);
       contrast.show(light.contrast);
       reset.disabled = isOwnLight(light);
+      for (const [press, label] of presses) markChanged(press, label, light);
       host.style.setProperty('--light', isOwnLight(light) ? 'none' : `brightness(${String(light.brightness)}) contrast(${String(light.contrast)})`);
     },
   };
 }
+
+function markChanged(press: HTMLElement, label: string, light: Light): void {
+  const text = isOwnLight(light) ? label : say('light-changed', { label, brightness: percentOf(light.brightness), contrast: percentOf(light.contrast) });
+  press.classList.toggle('has-own-light', !isOwnLight(light));
+  press.title = text;
+  press.setAttribute('aria-label', text);
+}
+
+const percentOf = (share: number): number => Math.round(100 * share);
 
 function slider(
   label: string,
@@ -41,7 +59,7 @@ function slider(
   input.addEventListener('dblclick', () => onChange(1));
   const show = (share: number) => {
     input.value = String(Math.log(share) / Math.log(MOST));
-    input.setAttribute('aria-valuetext', say('light-percent', { percent: Math.round(100 * share) }));
+    input.setAttribute('aria-valuetext', say('light-percent', { percent: percentOf(share) }));
   };
   return { element: h('label', { class: 'choice' }, h('span', {}, label), input), input, show };
 }

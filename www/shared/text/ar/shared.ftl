@@ -182,6 +182,7 @@ open-it = افتحه
 brightness = السطوع
 contrast = التباين
 brightness-and-contrast = السطوع والتباين
+light-changed = { $label }: السطوع { $brightness } %، التباين { $contrast } %
 light-reset = إعادة الضبط
 light-reset-title = عرض الصور بسطوعها كما هو في ملفاتها
 light-percent = { $percent } %

@@ -203,6 +203,7 @@ open-it = Open it
 brightness = Brightness
 contrast = Contrast
 brightness-and-contrast = Brightness and contrast
+light-changed = { $label }: brightness { $brightness } %, contrast { $contrast } %
 light-reset = Reset
 light-reset-title = Show the pictures as bright as they are in their files
 light-percent = { $percent } %
