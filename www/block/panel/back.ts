@@ -39,7 +39,7 @@ export function mountBack(store: BlockStore, facts: Facts, modes: Modes, pair: P
   });
   const masks = button(say('use-masks-in-the-block'), 'masks-to-block', () => takeMasks(othersOf(store, pair)), say('what-they-mask-holds-no'));
   const matches = makeFromPair(store, facts, pair);
-  const line = h('div', { class: 'of-block' }, back, text, ...matches.buttons, masks, open);
+  const line = h('div', { class: 'of-block', role: 'region', aria: { label: say('pair-and-its-block') } }, back, text, ...matches.buttons, masks, open);
   const draw = () => {
     const held = document.activeElement;
     const offered = pair.names().every((name) => name === null) ? strongestPair(store.state) : null;

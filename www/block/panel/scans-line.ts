@@ -44,7 +44,7 @@ export function mountScansLine(store: BlockStore, modes: Modes, pair: ScansBesid
   );
   const take = button(say('use-marks-in-the-block'), 'marks-to-block', () => block.take(toTake()), say('the-tables-of-marks-become'));
   const next = button(say('next-scans'), 'next-scans', () => void pair.open(others()), say('next-scans-help'));
-  const line = h('div', { class: 'of-block of-scans' });
+  const line = h('div', { class: 'of-block of-scans', role: 'region', aria: { label: say('marks-of-scans') } });
   const toTake = () => tablesToTake(store.state.placing.film, pair.shown());
   const others = () => {
     const names = pair.shown().map(({ image }) => image);

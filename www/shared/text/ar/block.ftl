@@ -727,6 +727,7 @@ remove-2 = إزالة: { $title }
 whole-block = الكتلة كلها
 view-of-the-block = عرض الكتلة
 table-2 = الجدول
+pair-and-its-block = الزوج وكتلته
 open-this-pair = افتح هذا الزوج
 point-at-an-image-a = أشر إلى صورة أو خط أو خلية لترى ما هي ولماذا لا يتصل زوج.
 try-a-sample-orthophoto = جرّب صورة مصححة نموذجية

@@ -811,6 +811,7 @@ remove-2 = Remove: { $title }
 whole-block = whole block
 view-of-the-block = View of the block
 table-2 = Table
+pair-and-its-block = The pair and its block
 open-this-pair = Open this pair
 point-at-an-image-a = Point at an image, a line or a cell to see what it is and why a pair is not connected.
 try-a-sample-orthophoto = Try a sample orthophoto
