@@ -9,10 +9,19 @@ import './block/style/block.css';
 import './pair/style/pair.css';
 import './shared/style/forced.css';
 import { wasmModule } from './shared/engine/platform';
+import { fetchEarly } from './shared/engine/parts';
 import { learnPart } from './shared/engine/texts';
 import { mountDrop } from './shared/files/drop';
 import { sayDocument, showDocument } from './shared/panel/language';
 import { say } from './shared/text/words';
+
+/** Resolves once what the document holds is drawn: what is fetched from then on, and runs, does not hold the first view up. A page out of sight draws nothing. */
+function firstView(): Promise<void> {
+  return new Promise((drawn) => {
+    if (document.hidden) drawn();
+    else requestAnimationFrame(() => window.setTimeout(drawn));
+  });
+}
 
 async function start(): Promise<void> {
   // First of all: the browser would show a file that nobody takes in place of the page.
@@ -26,6 +35,8 @@ async function start(): Promise<void> {
     given = waiting;
     tell();
   });
+  await firstView();
+  fetchEarly('program.js');
   // It takes longest. Where it fails the program asks again, and says why.
   wasmModule().catch(() => undefined);
   await learnPart('program');

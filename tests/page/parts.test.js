@@ -25,6 +25,8 @@ test('a first view loads no block, no licences and one language; they come when 
     const { page, complaints, close } = await open({ options: { locale } });
     await says(page, 'status', ready);
     const first = await scripts(page);
+    // The document asks for what the first view needs alone; the rest is fetched once that is drawn.
+    assert.doesNotMatch(await page.evaluate(async () => (await fetch(document.baseURI)).text()), /program\.js/u);
     assert.ok(first.includes('program.js') && first.includes(`${own}.js`), first.join());
     for (const late of ['block.js', 'about.js', `${own}-block.js`, `${other}.js`]) assert.ok(!first.includes(late), late);
     await part(page, 'mode-block').click();

@@ -43,15 +43,6 @@ const icon = {
   transformIndexHtml: () => [{ tag: 'link', attrs: { rel: 'icon', href: `data:image/svg+xml,${encodeURIComponent(iconSvg())}` }, injectTo: 'head' }],
 };
 
-/** The program is fetched beside what starts it, and behind what the first view needs.  @type {import('vite').Plugin} */
-const early = {
-  name: 'tiepoint-early',
-  transformIndexHtml: {
-    order: 'post',
-    handler: () => [{ tag: 'link', attrs: { rel: 'modulepreload', href: './program.js', fetchpriority: 'low' }, injectTo: 'head' }],
-  },
-};
-
 /** What Vite puts around an import loads the styles of a part first: these have none of their own.  @type {import('vite').Plugin} */
 const plainImports = {
   name: 'tiepoint-plain-imports',
@@ -74,7 +65,7 @@ export async function buildPage(out) {
   };
   await build({
     ...common,
-    plugins: [first(await scriptOf('turn')), policy, icon, early, plainImports, licences],
+    plugins: [first(await scriptOf('turn')), policy, icon, plainImports, licences],
     build: {
       ...READABLE,
       // Vite takes a relative folder from the sources of the page.

@@ -11,6 +11,14 @@ export async function loadPart<T>(file: string, load: () => Promise<T>): Promise
   return load();
 }
 
+/** Has the file of a part fetched that is needed soon. */
+export function fetchEarly(file: string): void {
+  if (!besideFiles() || import.meta.env.DEV) return;
+  const link = document.createElement('link');
+  Object.assign(link, { rel: 'modulepreload', href: new URL(file, document.baseURI).href });
+  document.head.append(link);
+}
+
 async function reach(file: string): Promise<void> {
   const answer = await fetch(new URL(file, document.baseURI)).catch(() => null);
   if (answer?.ok !== true) throw new Error(say('the-file-of-the-page', { file, status: answer?.status ?? null }));
