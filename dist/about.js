@@ -1,4 +1,3 @@
-import { button, h, say } from "./page.js";
 // \0virtual:licences
 var LICENCES = [
 	{
@@ -650,32 +649,4 @@ var CRATES = {
 		"zlib License\n\n(C) zune-image developers\n\nThis software is provided 'as-is', without any express or implied\nwarranty. In no event will the authors be held liable for any damages\narising from the use of this software.\n\nPermission is granted to anyone to use this software for any purpose,\nincluding commercial applications, and to alter it and redistribute it\nfreely, subject to the following restrictions:\n\n1. The origin of this software must not be misrepresented; you must not\n   claim that you wrote the original software. If you use this software\n   in a product, an acknowledgment in the product documentation would be\n   appreciated but is not required.\n2. Altered source versions must be plainly marked as such, and must not be\n   misrepresented as being the original software.\n3. This notice may not be removed or altered from any source distribution."
 	]
 };
-// www/shared/panel/about.ts
-function aboutDialog(name) {
-	const heading = h("h2", { id: "about-heading" }, name);
-	const dialog = h("dialog", {
-		class: "dialog",
-		testid: "about-dialog",
-		aria: { labelledby: heading.id }
-	});
-	const holds = LICENCES.map(({ name: of, version, licence, text }) => licenceOf(`licence-${of}`, `${of} ${version} (${licence})`, text));
-	const crates = CRATES.crates.map(({ name: of, version, licence, text }) => licenceOf(`crate-${of}-${version}`, `${of} ${version} (${licence})`, CRATES.texts[text] ?? ""));
-	const close = button(say("close-2"), "about-close", () => dialog.close());
-	dialog.append(h("div", { class: "dialog-head" }, heading, close), h("p", {}, say("matches-and-orients-overlapping-photographs")), h("h3", {}, say("the-page-holds")), ...holds, h("h3", {}, say("its-module-holds")), h("details", {
-		class: "group",
-		testid: "crates"
-	}, h("summary", {}, say("so-many-crates", { crates: crates.length })), ...crates));
-	return dialog;
-}
-function licenceOf(testid, title, text) {
-	const [name, own] = [h("bdi", {}, title), h("pre", { class: "licence" }, text)];
-	for (const part of [name, own]) Object.assign(part, {
-		lang: "en",
-		dir: "ltr"
-	});
-	return h("details", {
-		class: "group",
-		testid
-	}, h("summary", {}, name), own);
-}
-export { aboutDialog };
+export { CRATES, LICENCES };

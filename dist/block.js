@@ -1,5 +1,5 @@
-import { ACCEPTED, Archive, BY_HAND as BY_HAND$3, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, OWN_LIGHT, PointGrid, REDO_KEYS, REJECTED as REJECTED$1, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine as affine$1, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, declareLack, declarePlace, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted as fitted$1, fitted$1 as fitted, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior, inverse, isCurrent, isHidden, isMeasured, isMode, isNothing, isOpen, isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, mapped, maskOf as maskOf$1, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placesByHand, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf as standingOf$1, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, whenInSight, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
-import { arrange, asFigure, asSentence, button, byId, count, fill, fixed, h, intoEnglish, keepChoice, keptChoice, refusedText, row, say, sayNamed, section, sentence } from "./page.js";
+import { ACCEPTED, Archive, BY_HAND as BY_HAND$3, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, NotListed, OWN_LIGHT, PointGrid, REDO_KEYS, REJECTED as REJECTED$1, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine as affine$1, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, declare, declareLack, declarePlace, doHere, doneFrom, drawCross as drawCross$1, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted as fitted$1, fitted$1 as fitted, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior, inverse, isCurrent, isHidden, isMeasured, isMode, isNothing, isOpen, isWhole, isWorthKeeping, keeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf as listOf$1, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, mapped, maskOf as maskOf$1, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf as nameOf$2, namesText, numberInput, numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placesByHand, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal as reveal$1, reveal$1 as reveal, ring, roundedPx, save, saveCsv, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf as standingOf$1, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf as titleOf$2, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, whenInSight, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout } from "./program.js";
+import { arrange, asFigure, asSentence, button, byId, count, fill, fixed, h, keepChoice, keptChoice, refusedText, row, say, section, sentence } from "./page.js";
 // www/block/engine/catalogue.ts
 var offered$1 = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
 function blockCatalogue({ parameters, flightParameters }) {
@@ -371,9 +371,9 @@ function keyWith(key, film, position) {
 	]);
 }
 function placedFiles(state) {
-	return listed(state.files, state.placing.placed, placingKey(state), state.placing.film, givenPositions(state));
+	return listed$1(state.files, state.placing.placed, placingKey(state), state.placing.film, givenPositions(state));
 }
-var listed = remember((files, all, key, film, positions) => files.flatMap((file) => {
+var listed$1 = remember((files, all, key, film, positions) => files.flatMap((file) => {
 	const placed = all.get(file.id);
 	return placed === void 0 ? [] : [{
 		...placed,
@@ -518,6 +518,8 @@ function panesInOtherView(panes, before, after) {
 var LEAST_POINTS = 3;
 var LEAST_PLACED = 1;
 var LEAST_IMAGES$1 = 2;
+var isFramesStep = (step) => step.kind === "make_frames";
+var isMeasureStep = (step) => "marks" in step;
 var pointsOfFile = remember((control) => readOr(control, parse_ground_control_points));
 var coordinatesOf = remember((control) => new Map(pointsOfFile(control).map(({ name, position }) => [name, position])));
 var marksOfFile = remember((marks, images) => {
@@ -531,21 +533,21 @@ function readOr(file, read) {
 		return [];
 	}
 }
-var keyOf = ({ image, point }) => JSON.stringify([image, point]);
+var keyOf$1 = ({ image, point }) => JSON.stringify([image, point]);
 var marksByHand = remember(({ edits, done }) => {
 	const held = new Map();
 	for (const step of edits.slice(0, done)) {
-		if (step.kind === "remove_images") continue;
+		if (!isMeasureStep(step)) continue;
 		for (const mark of step.marks) {
-			held.delete(keyOf(mark));
-			if (step.kind === "measure") held.set(keyOf(mark), mark);
+			held.delete(keyOf$1(mark));
+			if (step.kind === "measure") held.set(keyOf$1(mark), mark);
 		}
 	}
 	return [...held.values()];
 });
 var allMarks = remember((file, history, images) => {
 	const all = [...marksOfFile(file, images), ...marksByHand(history)];
-	return [...new Map(all.map((mark) => [keyOf(mark), mark])).values()];
+	return [...new Map(all.map((mark) => [keyOf$1(mark), mark])).values()];
 });
 var collected = remember((control, file, history, files, isPlaced) => {
 	const byHand = marksByHand(history);
@@ -630,16 +632,11 @@ function besideEdits(marks, place) {
 		}))
 	};
 }
-function withMeasurements({ edits, done }, other) {
-	const steps = edits.map((step) => step.kind === "remove_images" ? step : {
+function withMeasurements(steps, other) {
+	return steps.map((step) => isMeasureStep(step) ? {
 		...step,
 		marks: other(step.marks)
-	});
-	const stays = (step) => step.kind === "remove_images" || step.marks.length > 0;
-	return {
-		edits: steps.filter(stays),
-		done: steps.slice(0, done).filter(stays).length
-	};
+	} : step);
 }
 // www/block/state/selection.ts
 var NOTHING_SELECTED = {
@@ -748,6 +745,7 @@ function pointsOf(choice) {
 	switch (choice?.kind) {
 		case "point":
 		case "observation": return Uint32Array.of(choice.point);
+		case "observations": return choice.points.filter((point, i) => point !== choice.points[i - 1]);
 		case "points": return choice.points;
 		default: return NO_POINTS;
 	}
@@ -756,11 +754,13 @@ function isSame(a, b) {
 	if (a === b) return true;
 	if (a === null || b === null || a.kind !== b.kind) return false;
 	if (a.kind === "given" && b.kind === "given") return a.name === b.name;
+	if (a.kind === "observations" && b.kind === "observations") return isSameList$1(a.points, b.points) && isSameList$1(a.images, b.images);
 	if (a.kind === "pairs") return pairsOf(a).map(keyOfPair).join(" ") === pairsOf(b).map(keyOfPair).join(" ");
 	const [images, others] = [imagesOf(a), imagesOf(b)];
 	const [points, others_] = [pointsOf(a), pointsOf(b)];
-	return images.length === others.length && images.every((image) => others.includes(image)) && points.length === others_.length && points.every((point, i) => point === others_[i]);
+	return images.length === others.length && images.every((image) => others.includes(image)) && isSameList$1(points, others_);
 }
+var isSameList$1 = (a, b) => a.length === b.length && a.every((value, i) => value === b[i]);
 function inOtherView(selection, before, after) {
 	const { chosen, filters } = selection;
 	return {
@@ -834,6 +834,9 @@ function isOutdated(state) {
 	if (shown === null) return false;
 	if (shown.files.length > 0) return shown.key !== wantedKey(state);
 	return shown.key !== "" && files.length >= 2 && shown.key !== openedKey(state);
+}
+function withoutRunUnderWay(running) {
+	return running.kind === "yes" ? running : { kind: "no" };
 }
 function isBusy({ running, notice, placing }) {
 	return running.kind === "yes" || notice?.kind === "busy" || placing.running !== null;
@@ -967,8 +970,8 @@ var addedLinks = remember((steps, done) => {
 });
 function useWord({ steps, done }, link, use, byHand = false) {
 	const isByUser = steps.slice(0, done).findLast((step) => step.kind !== "add" && step.link === link)?.kind === "reject";
-	if (byHand) return sayNamed("link-measured-by-hand", { use: use !== "rejected" ? use : isByUser ? "by_hand" : "gross_error" });
-	if (use !== "rejected") return sayNamed("link-use", { use });
+	if (byHand) return say("link-measured-by-hand", { use: use !== "rejected" ? use : isByUser ? "by_hand" : "gross_error" });
+	if (use !== "rejected") return say("link-use", { use });
 	return isByUser ? say("rejected-by-hand-2") : say("rejected-as-a-gross-error");
 }
 function stepName(step) {
@@ -1087,7 +1090,7 @@ function unitOfLength(perM) {
 	return is(1 / FOOT_M$2) ? "ft" : perM < .001 ? "°" : "";
 }
 function headOf({ code }, axis) {
-	return code === "" ? axis : sayNamed("in-system", {
+	return code === "" ? axis : say("in-system", {
 		axis,
 		code
 	});
@@ -1664,6 +1667,54 @@ function calibrationsOf({ verdict, cameras }, isSimulated, at) {
 		}];
 	});
 }
+// www/block/state/observations.ts
+var IMAGES = 2 ** 20;
+var keyOf = (point, image) => point * IMAGES + image;
+var keysOf = ({ points, images }) => Float64Array.from(points, (point, i) => keyOf(point, images[i] ?? 0));
+function observationsIn(choice) {
+	if (choice?.kind === "observations") return choice;
+	const one = choice?.kind === "observation" ? choice : null;
+	return {
+		points: Uint32Array.from(one === null ? [] : [one.point]),
+		images: Uint32Array.from(one === null ? [] : [one.image])
+	};
+}
+function choiceOfKeys(keys) {
+	const sorted = Float64Array.from(new Set(keys)).sort();
+	const points = Uint32Array.from(sorted, (key) => Math.floor(key / IMAGES));
+	const images = Uint32Array.from(sorted, (key) => key % IMAGES);
+	const [point, image] = [points[0], images[0]];
+	if (point === void 0 || image === void 0) return null;
+	return sorted.length === 1 ? {
+		kind: "observation",
+		point,
+		image
+	} : {
+		kind: "observations",
+		points,
+		images
+	};
+}
+var choiceOfObservations = (of) => choiceOfKeys(keysOf(of));
+function withMoreObservations(chosen, more) {
+	const keys = new Set(keysOf(observationsIn(chosen)));
+	const added = keysOf(more);
+	const [only] = added;
+	if (added.length === 1 && only !== void 0 && keys.has(only)) keys.delete(only);
+	else for (const key of added) keys.add(key);
+	return choiceOfKeys(keys);
+}
+function observationsKept(of, keeps) {
+	const at = Uint32Array.from(of.points.keys()).filter(keeps);
+	return {
+		points: Uint32Array.from(at, (i) => of.points[i] ?? 0),
+		images: Uint32Array.from(at, (i) => of.images[i] ?? 0)
+	};
+}
+function among(of) {
+	const keys = new Set(keysOf(of));
+	return (point, image) => keys.has(keyOf(point, image));
+}
 // www/block/state/edits.ts
 function keyOfPoint(point) {
 	const [[kind, number] = []] = Object.entries(point);
@@ -1685,13 +1736,14 @@ function sourceOf$1({ points }, point) {
 	if (code === void 0 || kind === void 0) return null;
 	return { [kind]: Math.floor(code / SOURCES.length) };
 }
-var places$2 = remember((sources) => new Map([...sources].map((code, point) => [code, point])));
+var places$3 = remember((sources) => new Map([...sources].map((code, point) => [code, point])));
 function indexOfSource({ points }, source) {
-	return places$2(points.sources).get(codeOfSource(source)) ?? -1;
+	return places$3(points.sources).get(codeOfSource(source)) ?? -1;
 }
 function choiceAfterEdit(choice, before, after) {
 	if (choice === null || choice.kind === "given") return choice;
 	if (choice.kind === "image" || choice.kind === "images" || choice.kind === "pair" || choice.kind === "pairs") return choice;
+	if (choice.kind === "observations") return choiceOfObservations(observationsAfter(choice, before, after));
 	const moved = [...pointsOf(choice)].flatMap((point) => {
 		const source = sourceOf$1(before, point);
 		const index = source === null ? -1 : indexOfSource(after, source);
@@ -1709,6 +1761,17 @@ function choiceAfterEdit(choice, before, after) {
 	} : {
 		kind: "points",
 		points: Uint32Array.from(moved).sort()
+	};
+}
+function observationsAfter({ points, images }, before, after) {
+	const places = Array.from(points, (point) => {
+		const source = sourceOf$1(before, point);
+		return source === null ? -1 : indexOfSource(after, source);
+	});
+	const stays = (_, i) => (places[i] ?? -1) >= 0;
+	return {
+		points: Uint32Array.from(places.filter(stays)),
+		images: images.filter(stays)
 	};
 }
 function choiceOfSamePoints(choice, before, after) {
@@ -1818,10 +1881,25 @@ function editOfChoice(kind, choice, view, standing, whole = false) {
 				observations: [one]
 			};
 		}
+		case "observations": return editOfObservations(kind, choice, view, standing);
 		case "point":
 		case "points": return editOfPoints(kind, [...pointsOf(choice)].flatMap((point) => sourceOf$1(view, point) ?? []), standing);
 		default: return null;
 	}
+}
+function editOfObservations(kind, { points, images }, view, standing) {
+	const observations = [...points].flatMap((number, i) => {
+		const point = sourceOf$1(view, number);
+		const one = point === null ? null : {
+			point,
+			image: images[i] ?? 0
+		};
+		return one === null || isOut(one.point, standing) || standing.observations.has(keyOfObservation(one)) === (kind === "reject") ? [] : [one];
+	});
+	return observations.length === 0 ? null : {
+		kind: `${kind}_observations`,
+		observations
+	};
 }
 function isOut(point, { points, unused }) {
 	return points.has(keyOfPoint(point)) || "ground_control" in point && unused.has(point.ground_control);
@@ -2025,9 +2103,10 @@ function nameOfStep(step, names = NO_NAMES) {
 }
 function nameOfMarks(step) {
 	if (step.kind === "remove_images") return say("step-remove-images", { images: step.files.length });
+	if (step.kind === "make_frames") return say("step-make-frames", { scans: step.scans.images.length });
 	const { kind, marks } = step;
 	const [first] = marks;
-	if (first === void 0) return say("nothing");
+	if (first === void 0) return say("step-beside-images");
 	const images = marks.length === 1 ? first.image : say("so-many-images", { images: marks.length });
 	return kind === "measure" ? say("step-measure-in", {
 		verb: "measure",
@@ -2207,6 +2286,10 @@ function describe({ view, given }, choice, gsd = "") {
 		case "pairs": return describePairs(view, choice.pairs);
 		case "point": return describePoint(view, choice.point);
 		case "observation": return `${asFigure(view.images[choice.image]?.name ?? "")}, ${describePoint(view, choice.point)}`;
+		case "observations": return say("several-observations", {
+			observations: choice.points.length,
+			points: pointsOf(choice).length
+		});
 		case "points": return describePoints(view, choice.points);
 		case "given": return describeGiven(view, given, choice.name);
 	}
@@ -2324,7 +2407,7 @@ function controlText(state) {
 	});
 }
 function givenUse({ role, images }) {
-	return sayNamed("given-use", {
+	return say("given-use", {
 		role: role ?? "none",
 		images
 	});
@@ -2412,6 +2495,12 @@ function withoutLast({ of, places }) {
 		places: new Map([...places].slice(0, -1))
 	};
 }
+function placesAsSteps({ places }) {
+	return {
+		edits: [...places.keys()],
+		done: places.size
+	};
+}
 function isGiven(of) {
 	return of !== null && "given" in of;
 }
@@ -2471,6 +2560,85 @@ function editsOfDraft({ of, places }) {
 		observations
 	}];
 }
+// www/block/state/framing.ts
+function between({ edits }, from, to) {
+	return edits.slice(from, to).filter(isFramesStep);
+}
+function framesOthers(marks, done) {
+	return between(marks, Math.min(marks.done, done), Math.max(marks.done, done)).length > 0;
+}
+function withFrames(state, before) {
+	const { marks } = state;
+	const back = between(marks, marks.done, before).reverse();
+	const again = between(marks, before, marks.done);
+	const undone = back.reduce((now, step) => exchanged(now, step, step.frames, step.scans), state);
+	return again.reduce((now, step) => exchanged(now, step, step.scans, step.frames), undone);
+}
+function exchanged(state, step, from, into) {
+	const { files, removed, options, placing, marks } = state;
+	return {
+		...state,
+		files: imagesAfter(files, from, into),
+		removed: without(removed, from.images),
+		options: {
+			...options,
+			...optionsAfter(options, from, into)
+		},
+		placing: {
+			...placing,
+			film: filmAfter(placing.film, from.film, into.film)
+		},
+		marks: {
+			...marks,
+			edits: stepsAfter(marks.edits, marks.edits.indexOf(step), into.steps)
+		},
+		running: withoutRunUnderWay(state.running)
+	};
+}
+function without(files, gone) {
+	const ids = new Set(gone.map(({ id }) => id));
+	return files.some(({ id }) => ids.has(id)) ? files.filter(({ id }) => !ids.has(id)) : files;
+}
+function imagesAfter(files, from, into) {
+	const successors = new Map(from.images.map(({ id }, k) => [id, into.images[k]]));
+	const names = new Set(without(files, from.images).map(({ name }) => name));
+	const isFree = (file) => file !== void 0 && !names.has(file.name);
+	return files.flatMap((file) => {
+		if (!successors.has(file.id)) return [file];
+		const next = successors.get(file.id);
+		return isFree(next) ? [next] : [];
+	});
+}
+function optionsAfter(options, from, into) {
+	const given = (now, before, then) => now?.text === before?.text ? then : now;
+	const isSame = options.masks.length === from.masks.length && options.masks.every(({ id }, k) => id === from.masks[k]?.id);
+	const others = without(options.masks, without(from.masks, into.masks));
+	return {
+		masks: isSame ? into.masks : [...others, ...without(into.masks, [...from.masks, ...others])],
+		cameras: given(options.cameras, from.cameras, into.cameras),
+		marks: given(options.marks, from.marks, into.marks)
+	};
+}
+function filmAfter(now, from, into) {
+	const names = new Set([...from.marks, ...into.marks].map(({ name }) => name));
+	const images = new Set([...from.begun, ...into.begun].map(({ image }) => image));
+	return {
+		camera: now.camera?.text === from.camera?.text ? into.camera : now.camera,
+		marks: [...into.marks, ...now.marks.filter(({ name }) => !names.has(name))],
+		areScans: into.areScans || now.areScans && !from.areScans,
+		begun: [...into.begun, ...now.begun.filter(({ image }) => !images.has(image))]
+	};
+}
+function stepsAfter(edits, at, before) {
+	const placed = before.slice(0, at).map((step, i) => {
+		const { after = step.after } = edits[i] ?? {};
+		return after === step.after ? step : {
+			...step,
+			after
+		};
+	});
+	return [...placed, ...edits.slice(placed.length)];
+}
 // www/block/state/editing.ts
 function isEditable({ shown, running }) {
 	return shown !== null && !shown.view.partial && shown.view.oriented > 0 && running.kind !== "yes";
@@ -2528,23 +2696,9 @@ function reduceEdits(state, action) {
 			};
 		}
 		case "mark":
-			if (action.step.kind !== "remove" && !isEditable(state)) return state;
-			return withRemoved({
-				...state,
-				marks: recorded(state.marks, action.step),
-				draft: null,
-				notice: afterEdit(state)
-			});
-		case "gotoMark": return withRemoved({
-			...state,
-			marks: wentTo(state.marks, action.done),
-			draft: null,
-			notice: afterEdit(state)
-		});
-		case "marks": return {
-			...state,
-			marks: action.marks
-		};
+			if (action.step.kind !== "remove" && !isFramesStep(action.step) && !isEditable(state)) return state;
+			return withSteps(state, recorded(state.marks, action.step));
+		case "gotoMark": return withSteps(state, wentTo(state.marks, action.done));
 		case "accept": return accepted(state, action.leaves);
 		case "draft": return {
 			...state,
@@ -2574,6 +2728,14 @@ function accepted(state, leaves) {
 			beside: true
 		}
 	};
+}
+function withSteps(state, marks) {
+	return withRemoved(withFrames({
+		...state,
+		marks,
+		draft: null,
+		notice: afterEdit(state)
+	}, state.marks.done));
 }
 function afterEdit({ notice }) {
 	return notice?.kind === "busy" ? notice : null;
@@ -3397,6 +3559,349 @@ function split(point, images) {
 		}
 	];
 }
+// www/block/state/judged.ts
+function judgedOf({ role, difference_m: difference, standard_errors_m: errors, left_out: leftOut }) {
+	return role === "control" && leftOut !== void 0 ? {
+		isLeftOut: true,
+		difference: leftOut.difference,
+		errors: leftOut.standard_errors
+	} : {
+		isLeftOut: false,
+		difference,
+		errors
+	};
+}
+function ratioOf({ difference, errors }, axis) {
+	const error = errors[axis] ?? NaN;
+	return error > 0 ? (difference[axis] ?? NaN) / error : NaN;
+}
+function planOf({ difference: [x = NaN, y = NaN], errors: [sx, sy] }) {
+	const length = Math.hypot(x, y);
+	const [ex, ey] = [sx ?? NaN, sy ?? NaN];
+	return {
+		length,
+		error: length > 0 ? Math.hypot(x * ex, y * ey) / length : Math.max(ex, ey)
+	};
+}
+// www/block/state/columns.ts
+var NO_ROWS = {
+	count: 0,
+	columns: []
+};
+var moreOn = ({ more }, axis) => axis < 2 ? more : 0;
+function helpOf({ name }, axis, own) {
+	return name === "" ? own : say("coordinate-in-system", {
+		axis,
+		name
+	});
+}
+function imageRows(view) {
+	const { images, leftOut, cameras } = view;
+	const system = resultSystem(view);
+	const axis = (key, i) => numbers(key, headOf(system, key), unitOn(system, i), 2 + moreOn(system, i), (row) => imageCoordinates(view)[3 * row + i], helpOf(system, key, say("projection-centre-in-m-where", { key })));
+	return {
+		count: images.length + leftOut.length,
+		columns: [
+			words("name", say("image-2"), (i) => images[i]?.name ?? leftOut[i - images.length]?.name ?? "", say("file-name-press-it-to")),
+			numbers("number", say("no"), "", 0, (i) => i < images.length ? i + 1 : NaN, say("row-and-column-in-the")),
+			numbers("features", say("features"), "", 0, (i) => images[i]?.features, say("points-detected-and-described"), { total: "sum" }),
+			numbers("rays", say("obs"), "", 0, (i) => images[i]?.rays, say("observations-of-selected-tie-points"), { total: "sum" }),
+			numbers("places", say("cov"), "", 0, (i) => images[i]?.places, say("coverage-how-many-of-the"), { total: "mean" }),
+			numbers("rmse", "RMSE", "px", 2, (i) => images[i]?.rmsePx, say("root-mean-square-length-of-the"), { total: "rms" }),
+			...cameras.length > 1 ? [numbers("camera", say("camera"), "", 0, (i) => (images[i]?.camera ?? NaN) + 1, say("images-of-one-camera-are", { join: cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join("; ") }))] : [],
+			words("state", say("state"), (i) => stateOf(i < images.length ? images[i]?.why : leftOut[i - images.length]?.reason), say("whether-the-image-is-oriented")),
+			axis("X", 0),
+			axis("Y", 1),
+			axis("Z", 2)
+		]
+	};
+}
+function stateOf(why) {
+	return why === "" ? say("oriented") : why ?? say("not-oriented-yet");
+}
+function pairRows({ images, connections }) {
+	const name = (row, side) => images[connections[row]?.images[side] ?? -1]?.name ?? "";
+	const matches = (row) => {
+		const connection = connections[row];
+		return connection?.outcome.kind === "connected" ? matchesOf$1(connection) : NaN;
+	};
+	const outcome = (row) => connections[row] === void 0 ? "" : outcomeText(connections[row]);
+	return {
+		count: connections.length,
+		columns: [
+			words("first", say("image-2"), (i) => name(i, 0), say("the-image-of-the-pair")),
+			words("second", say("with"), (i) => name(i, 1), say("the-other-image-of-the")),
+			numbers("matches", say("matches-2"), "", 0, matches, say("verified-matches-of-a-connected"), { total: "sum" }),
+			numbers("shared", say("common"), "", 0, (i) => connections[i]?.shared, say("tie-points-that-both-images"), { total: "sum" }),
+			numbers("chosen", say("selected"), "", 0, (i) => connections[i]?.chosen, say("of-them-those-that-were"), { total: "sum" }),
+			words("geometry", say("geometry-2"), (i) => geometryText(connections[i]?.geometry ?? null), say("what-relates-the-two-views")),
+			words("reason", say("outcome"), outcome, say("why-the-images-are-connected"))
+		]
+	};
+}
+function pointRows(view) {
+	const { points } = view;
+	const system = resultSystem(view);
+	const unit = unitOf(view);
+	const axis = (label, offset) => [numbers(label.toLowerCase(), headOf(system, label), unitOn(system, offset), 2 + moreOn(system, offset), (i) => pointCoordinates(view)[3 * i + offset] ?? NaN, helpOf(system, label, say("object-coordinate-in-m-where"))), numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
+	const parts = points.count === points.taking ? [] : [{
+		label: say("accepted"),
+		has: (row) => row < points.taking
+	}];
+	const kindOf = (point) => KINDS[surveyedAt(view, point)?.role ?? "tie"];
+	return {
+		count: points.count,
+		columns: [
+			pointColumn(view, "point", (i) => i, say("number-of-the-point-press")),
+			...view.surveyed.length === 0 ? [] : [words("point-kind", say("kind"), kindOf, say("tie-point-or-control"))],
+			numbers("point-rays", say("rays-2"), "", 0, (i) => points.rays[i] ?? NaN, say("observations-of-the-point"), { total: "mean" }),
+			numbers("point-rmse", "RMSE", "px", 2, (i) => points.rmsePx[i] ?? NaN, say("root-mean-square-length-of-the"), { total: "rms" }),
+			...axis("X", 0),
+			...axis("Y", 1),
+			...axis("Z", 2),
+			numbers("confidence", say("probability"), "", 3, (i) => points.confidence[i] ?? NaN, say("probability-that-all-its-observations"), { total: "mean" }),
+			{
+				...words("point-part", say("part"), (i) => partOfPoint(points, i), say("whether-the-point-takes-part")),
+				parts
+			}
+		]
+	};
+}
+function partOfPoint({ taking, lost }, point) {
+	if (point < taking) return say("accepted");
+	return say(lost.has(point) ? "too-few-rays" : "rejected-by-hand-2");
+}
+var KINDS = {
+	tie: say("tie-point-2"),
+	control: say("control-point"),
+	check: say("check-point")
+};
+var NO_COORDINATES = new Map();
+var SAME_COORDINATE = .001;
+function surveyedRows(view, given, asGiven = NO_COORDINATES) {
+	const { surveyed } = view;
+	const axes = [
+		"X",
+		"Y",
+		"Z"
+	];
+	const system = resultSystem(view);
+	const within = system.name === "" ? 0 : SAME_COORDINATE;
+	const differs = (value, other) => !(Math.abs(value - (other ?? NaN)) <= within);
+	const own = surveyedCoordinates(view);
+	const places = given.map(({ place }) => place === null ? null : system.coordinates(Float64Array.from(place)));
+	const isOther = (row, name) => asGiven.get(name)?.some((value, k) => differs(value, own[3 * row + k])) === true;
+	const areOthers = given.some(({ position }, i) => places[i] == null || position.some((value, k) => differs(value, places[i]?.[k]))) || surveyed.some(({ name }, row) => isOther(row, name));
+	const judged = surveyed.map(judgedOf);
+	const parts = ["control", "check"].map((role) => ({
+		label: roleText(role),
+		has: (row) => surveyed[row]?.isUsed === true && surveyed[row].role === role
+	}));
+	const beside = (row) => given[row - surveyed.length];
+	const useText = (row) => {
+		const own = beside(row);
+		const use = own === void 0 ? surveyed[row]?.isUsed === false ? say("not-used") : roleText(surveyed[row]?.role) : givenUse(own);
+		return (own ?? surveyed[row])?.byHand === true ? say("use-by-hand", { use }) : use;
+	};
+	return {
+		count: surveyed.length + given.length,
+		columns: [
+			words("surveyed", say("point"), (i) => surveyed[i]?.name ?? beside(i)?.name ?? "", say("name-of-the-surveyed-point")),
+			{
+				...words("use", say("use"), useText, say("control-points-place-the-block")),
+				parts
+			},
+			numbers("surveyed-rays", say("rays-2"), "", 0, (i) => surveyed[i]?.rays ?? NaN, say("image-measurements-that-took-part"), { total: "sum" }),
+			...areOthers ? axes.map((axis, k) => numbers(`given-${axis}`, say("as-given", { axis }), "", 3, (i) => beside(i)?.position[k] ?? asGiven.get(surveyed[i]?.name ?? "")?.[k] ?? NaN, say("in-the-unit-and-the", { axis }))) : [],
+			...axes.map((axis, k) => numbers(`surveyed-${axis}`, headOf(system, axis), system.name === "" ? "m" : unitOn(system, k), 3 + moreOn(system, k), (i) => (i < surveyed.length ? own[3 * i + k] : places[i - surveyed.length]?.[k]) ?? NaN, helpOf(system, axis, say("surveyed-in-the-system-of", { axis })))),
+			...axes.map((axis, k) => numbers(`difference-${axis}`, `Δ${axis}`, "m", 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say("adjusted-minus-surveyed", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers(`difference-sigma-${axis}`, `σ Δ${axis}`, "m", 3, (i) => surveyed[i]?.standard_errors_m[k], say("standard-error-of", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers(`difference-ratio-${axis}`, `Δ/σ ${axis}`, "", 1, (i) => judged[i] && ratioOf(judged[i], k), say("difference-by-standard-error", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers(`left-out-${axis}`, say("difference-left-out", { axis }), "m", 3, (i) => surveyed[i]?.left_out?.difference[k], say("where-the-other-observations-have", { axis }), { total: "rms" })),
+			...axes.map((axis, k) => numbers(`left-out-sigma-${axis}`, say("standard-error-left-out", { axis }), "m", 3, (i) => surveyed[i]?.left_out?.standard_errors[k], say("standard-error-of-where-the", { axis }), { total: "rms" }))
+		]
+	};
+}
+function roleText(role) {
+	return role === void 0 ? "" : say("role", { role });
+}
+var AXES = ["x", "y"];
+var PARTS$1 = [
+	say("accepted"),
+	say("rejected-2"),
+	say("rejected-by-hand-2")
+];
+var observationRows = remember((view, of) => {
+	const { images, points } = view;
+	const parts = PARTS$1.map((label, part) => ({
+		label,
+		has: (row) => of.parts[row] === part
+	}));
+	const residual = (row) => Math.hypot(of.residuals[2 * row] ?? NaN, of.residuals[2 * row + 1] ?? NaN);
+	return {
+		count: of.points.length,
+		columns: [
+			{
+				...words("observation-image", say("image-2"), (i) => images[of.images[i] ?? -1]?.name ?? "", say("the-image-that-shows-the")),
+				parts
+			},
+			pointColumn(view, "observation-point", (i) => of.points[i], say("number-of-the-point")),
+			numbers("observation-x", "x", "px", 2, (i) => of.places[2 * i] ?? NaN, say("column-the-centre-of-the")),
+			numbers("observation-y", "y", "px", 2, (i) => of.places[2 * i + 1] ?? NaN, say("row")),
+			numbers("observation-vx", "vx", "px", 2, (i) => of.residuals[2 * i] ?? NaN, say("residual-in-x-observed-minus"), { total: "rms" }),
+			numbers("observation-vy", "vy", "px", 2, (i) => of.residuals[2 * i + 1] ?? NaN, say("residual-in-y-observed-minus"), { total: "rms" }),
+			numbers("observation-v", say("residual"), "px", 2, residual, say("length-of-the-residual"), { total: "rms" }),
+			numbers("observation-rays", say("rays-2"), "", 0, (i) => points.rays[of.points[i] ?? -1] ?? NaN, say("observations-of-the-point")),
+			...AXES.flatMap((axis, k) => [
+				numbers(`observation-r${axis}`, `r ${axis}`, "", 2, (i) => of.redundancy[2 * i + k] ?? NaN, say("redundancy-number-of-an-observation", { axis }), { total: "mean" }),
+				numbers(`observation-w${axis}`, `w ${axis}`, "", 2, (i) => of.w[2 * i + k] ?? NaN, say("w-statistic-of-an-observation", { axis }), { total: "rms" }),
+				numbers(`observation-mdb${axis}`, `MDB ${axis}`, "px", 2, (i) => of.detectable[2 * i + k] ?? NaN, say("mdb-of-an-observation", { axis }))
+			]),
+			words("observation-part", say("part"), (i) => PARTS$1[of.parts[i] ?? 0] ?? "", say("whether-the-adjustment-accepted-the"))
+		]
+	};
+});
+function observationsOf(of, choice) {
+	if (choice === null) return () => true;
+	if (choice.kind === "image" || choice.kind === "images") {
+		const images = new Set(imagesOf(choice));
+		return (row) => images.has(of.images[row] ?? -1);
+	}
+	if (choice.kind === "pair" || choice.kind === "pairs") {
+		const seen = pairsOf(choice).map((pair) => ({
+			pair,
+			points: commonPoints(of, pair)
+		}));
+		return (row) => seen.some(({ pair, points }) => pair.includes(of.images[row] ?? -1) && points.has(of.points[row] ?? -1));
+	}
+	const points = new Set(pointsOf(choice));
+	return (row) => points.has(of.points[row] ?? -1);
+}
+function commonPoints({ images, points }, [a, b]) {
+	const first = new Set(points.filter((_, row) => images[row] === a));
+	return new Set(points.filter((point, row) => images[row] === b && first.has(point)));
+}
+var COLUMNS$1 = {
+	images: imageRows,
+	pairs: pairRows,
+	points: pointRows,
+	surveyed: surveyedRows
+};
+var ofView = {
+	images: remember(imageRows),
+	pairs: remember(pairRows),
+	points: remember(pointRows)
+};
+var withGiven = remember(surveyedRows);
+function rowsOf(subject, { view, given, asGiven }) {
+	return subject === "surveyed" ? withGiven(view, given, asGiven) : ofView[subject](view);
+}
+function choiceOfRow(subject, { view, given }, row) {
+	if (subject === "images") return row < view.images.length ? {
+		kind: "image",
+		image: row
+	} : null;
+	if (subject === "points") return {
+		kind: "point",
+		point: row
+	};
+	if (subject === "surveyed") {
+		const beside = given[row - view.surveyed.length];
+		if (beside !== void 0) return {
+			kind: "given",
+			name: beside.name
+		};
+		return (view.surveyed[row]?.point ?? -1) < 0 ? null : {
+			kind: "point",
+			point: view.surveyed[row]?.point ?? -1
+		};
+	}
+	const images = subject === "pairs" ? view.connections[row]?.images : void 0;
+	return images === void 0 ? null : {
+		kind: "pair",
+		images
+	};
+}
+function rowsOfChoice(subject, { view, given }, choice) {
+	if (subject === "points") return pointsOf(choice);
+	if (subject === "surveyed") {
+		if (choice?.kind === "given") return Uint32Array.from(given.flatMap(({ name }, i) => name === choice.name ? [view.surveyed.length + i] : []));
+		const points = new Set(pointsOf(choice));
+		return Uint32Array.from(view.surveyed.flatMap(({ point }, row) => points.has(point) ? [row] : []));
+	}
+	if (subject === "images") return Uint32Array.from(imagesOf(choice));
+	if (subject !== "pairs") return new Uint32Array();
+	const pairs = new Set(pairsOf(choice).map(keyOfPair));
+	return Uint32Array.from(view.connections.flatMap(({ images }, row) => pairs.has(keyOfPair(images)) ? [row] : []));
+}
+var EMPTY = {};
+function kept(subject, view, filter) {
+	const { count: rows, columns } = COLUMNS$1[subject](view, []);
+	return maskOf$1(rows, columns, filter);
+}
+function testOf(subject) {
+	return remember((view, own, ofImages) => {
+		const mask = kept(subject, view, own);
+		const images = subject === "pairs" ? kept("images", view, ofImages) : null;
+		if (mask === null && images === null) return () => true;
+		const keeps = (row) => mask === null || mask[row] === 1;
+		return images === null ? keeps : (row) => keeps(row) && view.connections[row]?.images.every((image) => images[image] === 1) === true;
+	});
+}
+var TESTS = {
+	images: testOf("images"),
+	pairs: testOf("pairs"),
+	points: testOf("points"),
+	surveyed: testOf("surveyed")
+};
+function keptBy(subject, view, { filters }) {
+	return TESTS[subject](view, filters[subject] ?? EMPTY, subject === "pairs" ? filters.images ?? EMPTY : EMPTY);
+}
+// www/block/state/listed.ts
+var places$2 = remember(({ connections }) => new Map(connections.map(({ images }, row) => [keyOfPair(images), row])));
+function keepsPair(view, filters) {
+	const keeps = keptBy("pairs", view, { filters });
+	return (pair) => keeps(places$2(view).get(keyOfPair(pair)) ?? -1);
+}
+function keepsObservation(view, filters, of) {
+	const { observations: filter = {} } = filters;
+	if (Object.keys(filter).length === 0) return () => true;
+	const meets = of === null ? () => false : keeping(observationRows(view, of).columns, filter);
+	if (of === null || meets === null) return meets ?? (() => true);
+	return among(observationsKept(of, meets));
+}
+var listed = remember((view, chosen, filters, observations) => {
+	const of = (all, keeps, choiceOf) => {
+		const [every, kept] = [[...all], []];
+		for (const one of every) if (keeps(one)) kept.push(one);
+		const others = every.length - kept.length;
+		return {
+			choice: others === 0 ? chosen : choiceOf(kept),
+			others
+		};
+	};
+	switch (chosen?.kind) {
+		case "points": return of(chosen.points, keptBy("points", view, { filters }), choiceOfPoints);
+		case "images": return of(chosen.images, keptBy("images", view, { filters }), choiceOfImages);
+		case "pairs": return of(chosen.pairs, keepsPair(view, filters), choiceOfPairs);
+		case "observations": {
+			const keeps = keepsObservation(view, filters, observations);
+			const kept = observationsKept(chosen, (i) => keeps(chosen.points[i] ?? -1, chosen.images[i] ?? -1));
+			const others = chosen.points.length - kept.points.length;
+			return {
+				choice: others === 0 ? chosen : choiceOfObservations(kept),
+				others
+			};
+		}
+		default: return {
+			choice: chosen,
+			others: 0
+		};
+	}
+});
+function listedChoice({ chosen, filters }, view, observations) {
+	return listed(view, chosen, filters, chosen?.kind === "observations" ? observations() : null);
+}
 // www/block/state/timeline.ts
 var timeline = remember((history, marks) => {
 	const steps = [];
@@ -3433,8 +3938,12 @@ function heldAt(both, place) {
 	};
 }
 // www/block/panel/edits.ts
-function editOf({ selection, shown }, kind, whole = false) {
-	return shown === null ? null : editOfChoice(kind, selection.chosen, shown.view, standingOf(shown.edits), whole);
+function chosenOf({ selection, shown }, facts) {
+	return shown === null ? null : listedChoice(selection, shown.view, () => facts.observations()).choice;
+}
+function editOf(state, facts, kind, whole = false) {
+	const { shown } = state;
+	return shown === null ? null : editOfChoice(kind, chosenOf(state, facts), shown.view, standingOf(shown.edits), whole);
 }
 function makeEdit(store, edit) {
 	if (edit === null) return;
@@ -3464,10 +3973,10 @@ function stepBy(store, by) {
 function goTo(store, { edits, marks: steps }) {
 	const { state } = store;
 	if (edits !== state.history.done && !isEditable(state)) return;
-	if (removesOthers(state.marks, {
+	if ((removesOthers(state.marks, {
 		...state.marks,
 		done: steps
-	}) && isBusy(state)) {
+	}) || framesOthers(state.marks, steps)) && isBusy(state)) {
 		store.dispatch({
 			type: "notice",
 			notice: {
@@ -3515,8 +4024,10 @@ function makeStep(store, edits) {
 	});
 }
 var MOST_JOINED = 8;
-function toJoin({ selection, shown }, facts) {
-	const points = pointsOf(selection.chosen);
+function toJoin(state, facts) {
+	const { shown } = state;
+	const chosen = chosenOf(state, facts);
+	const points = chosen?.kind === "points" ? chosen.points : pointsOf(null);
 	if (shown === null || points.length < 2 || points.length > MOST_JOINED || points.some((point) => point >= shown.view.points.taking)) return null;
 	const details = [...points].flatMap((point) => facts.point(point) ?? []);
 	return details.length < points.length || joined(details) === null ? null : details;
@@ -3548,16 +4059,17 @@ function splitOf({ selection, shown, panes }, facts) {
 	const detail = facts.point(point);
 	return detail === null ? null : split(detail, shownImages(panes, shown.view));
 }
-function removalOf({ files, selection, shown, history }) {
-	const out = removable(files, selection.chosen, shown?.view.images ?? []);
+function removalOf(state, facts) {
+	const { files, shown, history } = state;
+	const out = removable(files, chosenOf(state, facts), shown?.view.images ?? []);
 	return out.length === 0 ? null : {
 		kind: "remove_images",
 		files: out.map(({ id }) => id),
 		after: history.done
 	};
 }
-function removeImages(store) {
-	const step = removalOf(store.state);
+function removeImages(store, facts) {
+	const step = removalOf(store.state, facts);
 	if (step !== null) store.dispatch({
 		type: "mark",
 		step
@@ -3575,10 +4087,10 @@ function capital(name) {
 function mountEditBar(store, facts, measures) {
 	const undo = button(say("undo-sign"), "block-undo", () => stepBy(store, -1));
 	const redo = button(say("redo-sign"), "block-redo", () => stepBy(store, 1));
-	const reject = button(say("reject"), "block-reject", () => makeEdit(store, editOf(store.state, "reject")), say("take-what-is-chosen-out"));
-	const whole = button(say("reject-point"), "block-reject-point", () => makeEdit(store, editOf(store.state, "reject", true)), say("take-the-point-with-all"));
-	const restore = button(say("restore"), "block-restore", () => makeEdit(store, editOf(store.state, "restore")), say("use-what-is-chosen-again"));
-	const remove = button(say("remove-image"), "block-remove-image", () => removeImages(store), say("take-the-chosen-image-out"));
+	const reject = button(say("reject"), "block-reject", () => makeEdit(store, editOf(store.state, facts, "reject")), say("take-what-is-chosen-out"));
+	const whole = button(say("reject-point"), "block-reject-point", () => makeEdit(store, editOf(store.state, facts, "reject", true)), say("take-the-point-with-all"));
+	const restore = button(say("restore"), "block-restore", () => makeEdit(store, editOf(store.state, facts, "restore")), say("use-what-is-chosen-again"));
+	const remove = button(say("remove-image"), "block-remove-image", () => removeImages(store, facts), say("take-the-chosen-image-out"));
 	const measure = button(say("measure-it"), "block-measure", () => {
 		if (store.state.onStage !== "images") store.dispatch({
 			type: "stage",
@@ -3614,6 +4126,11 @@ function mountEditBar(store, facts, measures) {
 			use: role
 		});
 	});
+	const notListed = new NotListed("block-not-listed", [
+		reject,
+		restore,
+		remove
+	]);
 	const text = h("span", {
 		class: "edit-text",
 		testid: "block-edit-text",
@@ -3632,6 +4149,7 @@ function mountEditBar(store, facts, measures) {
 		whole,
 		restore,
 		remove,
+		notListed.element,
 		joining,
 		parting,
 		measure,
@@ -3674,11 +4192,12 @@ function mountEditBar(store, facts, measures) {
 		const { chosen } = state.selection;
 		bar.hidden = !isEditable(state);
 		const names = namesIn(state);
-		showSteps(undo, redo, timelineOf(state), (one) => nameOfTimed(state, one, names));
+		if (state.draft === null) showSteps(undo, redo, timelineOf(state), (one) => nameOfTimed(state, one, names));
+		else showSteps(undo, redo, placesAsSteps(state.draft), (image) => say("step-place-in", { image: state.shown?.view.images[image]?.name ?? "" }));
 		const [off, point, on] = [
-			editOf(state, "reject"),
-			editOf(state, "reject", true),
-			editOf(state, "restore")
+			editOf(state, facts, "reject"),
+			editOf(state, facts, "reject", true),
+			editOf(state, facts, "restore")
 		];
 		const drafting = state.draft !== null;
 		set(reject, titleOf$1(off, say("reject"), NO_NAMES), off === null);
@@ -3686,9 +4205,10 @@ function mountEditBar(store, facts, measures) {
 		reject.hidden = drafting || off === null && on !== null;
 		restore.hidden = drafting || on === null;
 		whole.hidden = drafting || chosen?.kind !== "observation" || point === null;
-		const removal = removalOf(state);
+		const removal = removalOf(state, facts);
 		remove.hidden = drafting || removal === null;
 		set(remove, removal === null || removal.files.length === 1 ? say("remove-image") : capital(nameOfMarks(removal)), false);
+		notListed.show(state.shown === null || drafting ? 0 : listedChoice(state.selection, state.shown.view, () => facts.observations()).others);
 		const inImages = state.onStage === "images";
 		const given = chosen?.kind === "given";
 		measure.hidden = drafting || !(inImages || given);
@@ -3992,27 +4512,30 @@ function takesPlaces(state) {
 	return blockOnOrthophoto(state) !== null || purposeOf(state) === "block";
 }
 // www/block/panel/edit-keys.ts
-function mountBlockEditKeys(store, hosts) {
+function hasSteps({ history, marks, draft }) {
+	return history.edits.length + marks.edits.length > 0 || draft !== null;
+}
+function mountBlockEditKeys(store, facts, hosts) {
 	const isBlockSeen = () => store.state.onStage !== "orthophoto" || blockOnOrthophoto(store.state) !== null || takesPlaces(store.state);
-	undoKeys(() => byId("block-view").offsetParent !== null && store.state.history.edits.length + store.state.marks.edits.length > 0 && isBlockSeen(), (by) => stepBy(store, by));
+	undoKeys(() => byId("block-view").offsetParent !== null && hasSteps(store.state) && isBlockSeen(), (by) => stepBy(store, by));
 	const idle = () => store.state.draft === null && isBlockSeen();
 	const lack = (kind) => {
 		const block = lackOfBlock(store.state);
 		if (block !== "") return block;
-		return editOf(store.state, kind) === null ? say(kind === "reject" ? "nothing-to-reject-is-chosen" : "nothing-rejected-is-chosen") : "";
+		return editOf(store.state, facts, kind) === null ? say(kind === "reject" ? "nothing-to-reject-is-chosen" : "nothing-rejected-is-chosen") : "";
 	};
 	const list = [{
 		keys: ["Delete", "Backspace"],
 		does: say("rejects-what-is-chosen-with"),
 		can: idle,
 		lacks: () => lack("reject"),
-		run: (shift) => makeEdit(store, editOf(store.state, "reject", shift))
+		run: (shift) => makeEdit(store, editOf(store.state, facts, "reject", shift))
 	}, {
 		keys: ["r"],
 		does: say("uses-what-is-chosen-again"),
 		can: idle,
 		lacks: () => lack("restore"),
-		run: (shift) => makeEdit(store, editOf(store.state, "restore", shift))
+		run: (shift) => makeEdit(store, editOf(store.state, facts, "restore", shift))
 	}];
 	const edits = declare({
 		where: say("views-and-tables-of-a"),
@@ -4992,7 +5515,7 @@ var MOSAICS = {
 };
 var isMosaic = (kind) => kind in MOSAICS;
 var EXPORT = "block-export";
-function mountExports(host, store, engine, placing) {
+function mountExports(host, store, engine, facts, placing) {
 	const select = h("select", {
 		id: "block-export-kind",
 		testid: "block-export-kind",
@@ -5000,7 +5523,7 @@ function mountExports(host, store, engine, placing) {
 	});
 	const press = button(say("save"), EXPORT, () => {
 		const { value } = select;
-		if (isMosaic(value)) saveMosaic(store, engine, placing, EXPORT, typed(pixel), value === "chosen" ? chosenImages(store) : null);
+		if (isMosaic(value)) saveMosaic(store, engine, placing, EXPORT, typed(pixel), value === "chosen" ? chosenImages(store, facts) : null);
 		else saveAs(store, engine, value);
 	});
 	const pixel = h("input", {
@@ -5017,7 +5540,7 @@ function mountExports(host, store, engine, placing) {
 		const { shown, history } = store.state;
 		pixel.hidden = !isMosaic(select.value);
 		const whole = shown !== null && !shown.view.partial;
-		const lacksImages = select.value === "chosen" && chosenImages(store).length === 0;
+		const lacksImages = select.value === "chosen" && chosenImages(store, facts).length === 0;
 		press.disabled = !whole || isBusy(store.state) || lacksImages || !isSameList(editsInForce(history), shown.edits);
 		press.title = lacksImages ? say("choose-one-or-more-images") : "";
 		select.disabled = pixel.disabled = !whole;
@@ -5045,8 +5568,9 @@ function mountExports(host, store, engine, placing) {
 		"selection"
 	], offer);
 }
-function chosenImages({ state: { shown, selection } }) {
-	return imagesOf(selection.chosen).flatMap((image) => shown?.view.images[image]?.name ?? []);
+function chosenImages({ state }, facts) {
+	const { shown } = state;
+	return imagesOf(chosenOf(state, facts)).flatMap((image) => shown?.view.images[image]?.name ?? []);
 }
 async function saveAs(store, engine, kind, near = EXPORT) {
 	store.dispatch({
@@ -5118,18 +5642,19 @@ function worstOf(marks) {
 	return best !== void 0 && next !== void 0 && CLEARLY * best.sigma < next.sigma ? best.mark : null;
 }
 // www/block/state/scan-marks.ts
+var LEAST_MARKS = 4;
 var TOGETHER = 2;
-var COLUMNS$1 = [
+var COLUMNS = [
 	"col",
 	"row",
 	"x_mm",
 	"y_mm"
 ];
 function tableOfMarks(image, marks) {
-	const rows = marks.map((mark) => COLUMNS$1.map((column) => String(mark[column])));
+	const rows = marks.map((mark) => COLUMNS.map((column) => String(mark[column])));
 	return {
 		name: `${image.replace(/\.[^.]*$/u, "")}.csv`,
-		text: [COLUMNS$1, ...rows].map((row) => `${row.join(",")}\n`).join("")
+		text: [COLUMNS, ...rows].map((row) => `${row.join(",")}\n`).join("")
 	};
 }
 function marksOfScan(film, image) {
@@ -5189,12 +5714,7 @@ function lackOf(film, scans) {
 			marks: withoutMm
 		});
 		const fault = marks.length === 0 ? "" : faultOf(film, scan);
-		const poor = marks.length === 0 || fault !== "" ? null : poorMarks(marks);
-		const off = poor === null ? "" : say("marks-far-off", {
-			name: image,
-			px: poor.sigmaPx,
-			worst: poor.worst === null ? 0 : all.indexOf(poor.worst) + 1
-		});
+		const off = marks.length === 0 || fault !== "" ? "" : farOff(image, marks, all);
 		return [
 			lone,
 			fault === "" ? "" : `${image}: ${fault}`,
@@ -5202,6 +5722,26 @@ function lackOf(film, scans) {
 		].filter((text) => text !== "");
 	}).join(" ");
 }
+function farOff(name, marks, all) {
+	const poor = poorMarks(marks);
+	return poor === null ? "" : say("marks-far-off", {
+		name,
+		px: poor.sigmaPx,
+		worst: poor.worst === null ? 0 : all.indexOf(poor.worst) + 1
+	});
+}
+var NAMED$1 = 3;
+var marksFarOff = remember((marks, images) => {
+	const off = images.map(({ name }) => {
+		const own = marksOfScan({
+			...NO_FILM,
+			marks
+		}, name);
+		return own.length < LEAST_MARKS ? "" : farOff(name, own, own);
+	}).filter((text) => text !== "");
+	const more = off.length - NAMED$1;
+	return [...off.slice(0, NAMED$1), ...more > 0 ? [say("marks-of-more-far-off", { scans: more })] : []].join(" ");
+});
 function faultOf({ camera }, { marks, size }) {
 	try {
 		if (camera === null || size === null) orient_fiducials([...marks], "affine");
@@ -5324,7 +5864,7 @@ function masksOf$1(scans, masks) {
 	return [...masks_of_images(names(scans), names(masks))].map((index) => masks[index]);
 }
 function replace(store, frames) {
-	const { files, truth, options, marks } = store.state;
+	const { files, options, marks, placing, history } = store.state;
 	const made = new Map(frames.map((frame) => [frame.of, frame]));
 	const scans = files.filter(({ id }) => made.has(id));
 	const { pattern, file: cameras } = camerasOf(frames, files, options.cameras);
@@ -5342,10 +5882,9 @@ function replace(store, frames) {
 	}
 	const ownMasks = frames.map(({ of, mask }) => imageOf$2(files, of, mask, pattern));
 	const former = new Set([...masksOf$1(scans, options.masks), ...options.masks.filter(({ name }) => ownMasks.some((own) => own.name === name))]);
-	const masks = [...options.masks.filter((mask) => !former.has(mask)), ...ownMasks];
-	const images = files.map((file) => {
-		const frame = made.get(file.id);
-		return frame === void 0 ? file : imageOf$2(files, file.id, frame.image, pattern);
+	const images = scans.flatMap(({ id }) => {
+		const frame = made.get(id);
+		return frame === void 0 ? [] : [imageOf$2(files, id, frame.image, pattern)];
 	});
 	const measured = new Carried(scans.flatMap(({ id, name }) => {
 		const frame = made.get(id);
@@ -5356,29 +5895,33 @@ function replace(store, frames) {
 		}];
 	}));
 	const ofFile = measured.table(options.marks);
-	const byHand = withMeasurements(marks, (rows) => measured.rows(rows));
-	measured.count(marksByHand(marks));
+	const steps = marks.edits.slice(0, marks.done);
+	const masks = [...options.masks.filter((mask) => !former.has(mask)), ...ownMasks];
 	store.dispatch({
-		type: "files",
-		files: images,
-		truth
-	});
-	store.dispatch({
-		type: "options",
-		options: {
-			masks,
-			cameras,
-			marks: ofFile
+		type: "mark",
+		step: {
+			kind: "make_frames",
+			scans: {
+				images: scans,
+				masks: options.masks,
+				cameras: options.cameras,
+				marks: options.marks,
+				film: placing.film,
+				steps
+			},
+			frames: {
+				images,
+				masks,
+				cameras,
+				marks: ofFile,
+				film: NO_FILM,
+				steps: withMeasurements(steps, (rows) => measured.rows(rows))
+			},
+			after: history.done
 		}
 	});
-	store.dispatch({
-		type: "marks",
-		marks: byHand
-	});
-	store.dispatch({
-		type: "film",
-		film: NO_FILM
-	});
+	measured.count(marksByHand(marks));
+	const far = marksFarOff(placing.film.marks, files);
 	const isKnown = frames.every(({ camera }) => camera.fixed);
 	const text = say("scans-became-frames", {
 		frames: frames.length,
@@ -5388,7 +5931,11 @@ function replace(store, frames) {
 		type: "notice",
 		notice: {
 			kind: "info",
-			text: [text, ...measured.said()].join(" ")
+			text: [
+				text,
+				far,
+				...measured.said()
+			].filter((said) => said !== "").join(" ")
 		}
 	});
 }
@@ -6955,6 +7502,95 @@ function placedFrom(parts) {
 		return [id, placed];
 	}));
 }
+// www/block/files/keep-steps.ts
+var OF_FILE = 120;
+var keptSteps = new WeakMap();
+function keptMarkSteps(keptFile) {
+	const framing = ({ images, masks, steps, ...texts }) => ({
+		...texts,
+		images: images.map(keptFile),
+		masks: masks.map(keptFile),
+		steps: steps.map(kept)
+	});
+	const kept = (step) => {
+		if (!isFramesStep(step)) return step;
+		const own = keptSteps.get(step) ?? {
+			...step,
+			scans: framing(step.scans),
+			frames: framing(step.frames)
+		};
+		keptSteps.set(step, own);
+		return own;
+	};
+	return remember(({ edits, done }) => ({
+		edits: edits.map(kept),
+		done
+	}));
+}
+function markStepsFrom({ edits, done }, fileFrom) {
+	const framing = ({ images, masks, steps, ...texts }) => ({
+		...texts,
+		images: images.map(fileFrom),
+		masks: masks.map(fileFrom),
+		steps: steps.map(own)
+	});
+	const own = (kept) => {
+		if (kept.kind !== "make_frames") return kept;
+		const step = {
+			...kept,
+			scans: framing(kept.scans),
+			frames: framing(kept.frames)
+		};
+		keptSteps.set(step, kept);
+		return step;
+	};
+	return {
+		edits: edits.map(own),
+		done
+	};
+}
+var filesOfSteps = remember(({ edits }) => edits.filter(isFramesStep).flatMap(({ scans, frames }) => [
+	...scans.images,
+	...scans.masks,
+	...frames.images,
+	...frames.masks
+]));
+function bytesOfKept(step) {
+	if (step.kind !== "make_frames") return bytesOfMarks(step);
+	return [step.scans, step.frames].reduce((sum, { images, masks, cameras, marks, film, steps }) => {
+		const texts = [
+			cameras,
+			marks,
+			film.camera,
+			...film.marks
+		].reduce((length, text) => length + (text?.text.length ?? 0), 0);
+		return sum + OF_FILE * (images.length + masks.length) + texts + steps.reduce((bytes, one) => bytes + bytesOfKept(one), 0);
+	}, 0);
+}
+function keptStepFrom(fileOf) {
+	const framing = (value, name) => {
+		const { images, masks, cameras, marks, film, steps } = objectOf(value, name);
+		return {
+			images: listOf$1(images, `${name}.images`, fileOf),
+			masks: listOf$1(masks, `${name}.masks`, fileOf),
+			cameras: orNull(cameras, (text) => textFrom(text, `${name}.cameras`)),
+			marks: orNull(marks, (text) => textFrom(text, `${name}.marks`)),
+			film: filmFrom(film),
+			steps: listOf$1(steps, `${name}.steps`, stepFrom)
+		};
+	};
+	const stepFrom = (value, name) => {
+		const { kind, scans, frames, after } = objectOf(value, name);
+		if (kind !== "make_frames") return markStepFrom(value, name);
+		return {
+			kind,
+			scans: framing(scans, `${name}.scans`),
+			frames: framing(frames, `${name}.frames`),
+			after: likeOf(after, 0, `${name}.after`)
+		};
+	};
+	return stepFrom;
+}
 // www/block/files/keep.ts
 var GIVEN = "block";
 var SHOWN = "block/shown";
@@ -6971,7 +7607,8 @@ var KeptBlocks = class {
 	mode = "block";
 	made = null;
 	journal = new Journal("block/edits", stepFrom, bytesOfStep);
-	marks = new Journal("block/marks", markStepFrom, bytesOfMarks);
+	marks = new Journal("block/marks", keptStepFrom(fileOf$2), bytesOfKept);
+	keptMarks = keptMarkSteps(keptFile);
 	underWay;
 	making = null;
 	changed = () => void 0;
@@ -7043,7 +7680,8 @@ var KeptBlocks = class {
 			...removed,
 			...besidesOf(options),
 			...shown?.files ?? [],
-			...rastersOf(placing)
+			...rastersOf(placing),
+			...filesOfSteps(state.marks)
 		]) parts.set(FILE + nameOf$2(file), {
 			value: file,
 			bytes: file.size,
@@ -7051,7 +7689,7 @@ var KeptBlocks = class {
 		});
 		const { made } = this;
 		for (const [name, part] of this.journal.parts(state.history)) parts.set(name, part);
-		for (const [name, part] of this.marks.parts(state.marks)) parts.set(name, part);
+		for (const [name, part] of this.marks.parts(this.keptMarks(state.marks))) parts.set(name, part);
 		for (const [name, part] of formerParts(state.former, state.history)) parts.set(name, part);
 		for (const [name, part] of [
 			...draftParts(state.draft, state.panes.images),
@@ -7079,7 +7717,7 @@ var KeptBlocks = class {
 		const placed = new Map([...parts].flatMap(([part, value]) => part.startsWith(PLACED) ? [[Number(part.slice(13)), value]] : []));
 		const placing = withLink(withPresentKeys(placingFrom(kept.placing, placed, this.catalogue, fileOf$2, (file) => fileFrom(parts, file)), files, kept.options), parts);
 		const history = this.journal.read(parts);
-		const marks = this.marks.read(parts);
+		const marks = markStepsFrom(this.marks.read(parts), (file) => fileFrom(parts, file));
 		const { former, damage } = formerOrNone(parts, history);
 		const finished = await this.finished(parts, history);
 		const truth = orNull(kept.truth, (name) => truthFrom(parts, name));
@@ -7098,7 +7736,8 @@ var KeptBlocks = class {
 					geoid
 				}),
 				...shown?.files ?? [],
-				...rastersOf(placing)
+				...rastersOf(placing),
+				...filesOfSteps(marks)
 			].map(({ id }) => id));
 			this.engine.takeRecords(records);
 			this.made = finished === null ? null : {
@@ -7451,7 +8090,7 @@ function addressOf({ shown, onStage, selection: { chosen } }) {
 	const named = new URLSearchParams({ view: onStage });
 	const name = (image) => shown.view.images[image]?.name ?? "";
 	const { numbers } = shown.view.points;
-	const points = pointsOf(chosen);
+	const points = chosen?.kind === "observations" ? new Uint32Array() : pointsOf(chosen);
 	if (points.length > 0 && points.length <= MOST_POINTS) named.set("point", [...points].map((point) => String(numbers[point] ?? 0)).join(","));
 	if (chosen?.kind === "image" || chosen?.kind === "observation") named.append("image", name(chosen.image));
 	if (chosen?.kind === "images" && chosen.images.length <= MOST_IMAGES) for (const image of chosen.images) named.append("images", name(image));
@@ -7661,304 +8300,6 @@ function isShown({ state: { shown, opened } }, pair) {
 	const names = opened?.map((image) => shown?.view.images[image]?.name) ?? [];
 	return names.length > 0 && names.every((name, i) => name === pair.names()[i]);
 }
-// www/block/state/judged.ts
-function judgedOf({ role, difference_m: difference, standard_errors_m: errors, left_out: leftOut }) {
-	return role === "control" && leftOut !== void 0 ? {
-		isLeftOut: true,
-		difference: leftOut.difference,
-		errors: leftOut.standard_errors
-	} : {
-		isLeftOut: false,
-		difference,
-		errors
-	};
-}
-function ratioOf({ difference, errors }, axis) {
-	const error = errors[axis] ?? NaN;
-	return error > 0 ? (difference[axis] ?? NaN) / error : NaN;
-}
-function planOf({ difference: [x = NaN, y = NaN], errors: [sx, sy] }) {
-	const length = Math.hypot(x, y);
-	const [ex, ey] = [sx ?? NaN, sy ?? NaN];
-	return {
-		length,
-		error: length > 0 ? Math.hypot(x * ex, y * ey) / length : Math.max(ex, ey)
-	};
-}
-// www/block/state/columns.ts
-var NO_ROWS = {
-	count: 0,
-	columns: []
-};
-var moreOn = ({ more }, axis) => axis < 2 ? more : 0;
-function helpOf({ name }, axis, own) {
-	return name === "" ? own : say("coordinate-in-system", {
-		axis,
-		name
-	});
-}
-function imageRows(view) {
-	const { images, leftOut, cameras } = view;
-	const system = resultSystem(view);
-	const axis = (key, i) => numbers(key, headOf(system, key), unitOn(system, i), 2 + moreOn(system, i), (row) => imageCoordinates(view)[3 * row + i], helpOf(system, key, say("projection-centre-in-m-where", { key })));
-	return {
-		count: images.length + leftOut.length,
-		columns: [
-			words("name", say("image-2"), (i) => images[i]?.name ?? leftOut[i - images.length]?.name ?? "", say("file-name-press-it-to")),
-			numbers("number", say("no"), "", 0, (i) => i < images.length ? i + 1 : NaN, say("row-and-column-in-the")),
-			numbers("features", say("features"), "", 0, (i) => images[i]?.features, say("points-detected-and-described"), { total: "sum" }),
-			numbers("rays", say("obs"), "", 0, (i) => images[i]?.rays, say("observations-of-selected-tie-points"), { total: "sum" }),
-			numbers("places", say("cov"), "", 0, (i) => images[i]?.places, say("coverage-how-many-of-the"), { total: "mean" }),
-			numbers("rmse", "RMSE", "px", 2, (i) => images[i]?.rmsePx, say("root-mean-square-length-of-the"), { total: "rms" }),
-			...cameras.length > 1 ? [numbers("camera", say("camera"), "", 0, (i) => (images[i]?.camera ?? NaN) + 1, say("images-of-one-camera-are", { join: cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join("; ") }))] : [],
-			words("state", say("state"), (i) => stateOf(i < images.length ? images[i]?.why : leftOut[i - images.length]?.reason), say("whether-the-image-is-oriented")),
-			axis("X", 0),
-			axis("Y", 1),
-			axis("Z", 2)
-		]
-	};
-}
-function stateOf(why) {
-	return why === "" ? say("oriented") : why ?? say("not-oriented-yet");
-}
-function pairRows({ images, connections }) {
-	const name = (row, side) => images[connections[row]?.images[side] ?? -1]?.name ?? "";
-	const matches = (row) => {
-		const connection = connections[row];
-		return connection?.outcome.kind === "connected" ? matchesOf$1(connection) : NaN;
-	};
-	const outcome = (row) => connections[row] === void 0 ? "" : outcomeText(connections[row]);
-	return {
-		count: connections.length,
-		columns: [
-			words("first", say("image-2"), (i) => name(i, 0), say("the-image-of-the-pair")),
-			words("second", say("with"), (i) => name(i, 1), say("the-other-image-of-the")),
-			numbers("matches", say("matches-2"), "", 0, matches, say("verified-matches-of-a-connected"), { total: "sum" }),
-			numbers("shared", say("common"), "", 0, (i) => connections[i]?.shared, say("tie-points-that-both-images"), { total: "sum" }),
-			numbers("chosen", say("selected"), "", 0, (i) => connections[i]?.chosen, say("of-them-those-that-were"), { total: "sum" }),
-			words("geometry", say("geometry-2"), (i) => geometryText(connections[i]?.geometry ?? null), say("what-relates-the-two-views")),
-			words("reason", say("outcome"), outcome, say("why-the-images-are-connected"))
-		]
-	};
-}
-function pointRows(view) {
-	const { points } = view;
-	const system = resultSystem(view);
-	const unit = unitOf(view);
-	const axis = (label, offset) => [numbers(label.toLowerCase(), headOf(system, label), unitOn(system, offset), 2 + moreOn(system, offset), (i) => pointCoordinates(view)[3 * i + offset] ?? NaN, helpOf(system, label, say("object-coordinate-in-m-where"))), numbers(`sigma-${label.toLowerCase()}`, `σ ${label}`, unit, 3, (i) => points.errors[3 * i + offset] ?? NaN, say("standard-error-of-from-the", { label }), { total: "rms" })];
-	const parts = points.count === points.taking ? [] : [{
-		label: say("accepted"),
-		has: (row) => row < points.taking
-	}];
-	const kindOf = (point) => KINDS[surveyedAt(view, point)?.role ?? "tie"];
-	return {
-		count: points.count,
-		columns: [
-			pointColumn(view, "point", (i) => i, say("number-of-the-point-press")),
-			...view.surveyed.length === 0 ? [] : [words("point-kind", say("kind"), kindOf, say("tie-point-or-control"))],
-			numbers("point-rays", say("rays-2"), "", 0, (i) => points.rays[i] ?? NaN, say("observations-of-the-point"), { total: "mean" }),
-			numbers("point-rmse", "RMSE", "px", 2, (i) => points.rmsePx[i] ?? NaN, say("root-mean-square-length-of-the"), { total: "rms" }),
-			...axis("X", 0),
-			...axis("Y", 1),
-			...axis("Z", 2),
-			numbers("confidence", say("probability"), "", 3, (i) => points.confidence[i] ?? NaN, say("probability-that-all-its-observations"), { total: "mean" }),
-			{
-				...words("point-part", say("part"), (i) => partOfPoint(points, i), say("whether-the-point-takes-part")),
-				parts
-			}
-		]
-	};
-}
-function partOfPoint({ taking, lost }, point) {
-	if (point < taking) return say("accepted");
-	return say(lost.has(point) ? "too-few-rays" : "rejected-by-hand-2");
-}
-var KINDS = {
-	tie: say("tie-point-2"),
-	control: say("control-point"),
-	check: say("check-point")
-};
-var NO_COORDINATES = new Map();
-var SAME_COORDINATE = .001;
-function surveyedRows(view, given, asGiven = NO_COORDINATES) {
-	const { surveyed } = view;
-	const axes = [
-		"X",
-		"Y",
-		"Z"
-	];
-	const system = resultSystem(view);
-	const within = system.name === "" ? 0 : SAME_COORDINATE;
-	const differs = (value, other) => !(Math.abs(value - (other ?? NaN)) <= within);
-	const own = surveyedCoordinates(view);
-	const places = given.map(({ place }) => place === null ? null : system.coordinates(Float64Array.from(place)));
-	const isOther = (row, name) => asGiven.get(name)?.some((value, k) => differs(value, own[3 * row + k])) === true;
-	const areOthers = given.some(({ position }, i) => places[i] == null || position.some((value, k) => differs(value, places[i]?.[k]))) || surveyed.some(({ name }, row) => isOther(row, name));
-	const judged = surveyed.map(judgedOf);
-	const parts = ["control", "check"].map((role) => ({
-		label: roleText(role),
-		has: (row) => surveyed[row]?.isUsed === true && surveyed[row].role === role
-	}));
-	const beside = (row) => given[row - surveyed.length];
-	const useText = (row) => {
-		const own = beside(row);
-		const use = own === void 0 ? surveyed[row]?.isUsed === false ? say("not-used") : roleText(surveyed[row]?.role) : givenUse(own);
-		return (own ?? surveyed[row])?.byHand === true ? say("use-by-hand", { use }) : use;
-	};
-	return {
-		count: surveyed.length + given.length,
-		columns: [
-			words("surveyed", say("point"), (i) => surveyed[i]?.name ?? beside(i)?.name ?? "", say("name-of-the-surveyed-point")),
-			{
-				...words("use", say("use"), useText, say("control-points-place-the-block")),
-				parts
-			},
-			numbers("surveyed-rays", say("rays-2"), "", 0, (i) => surveyed[i]?.rays ?? NaN, say("image-measurements-that-took-part"), { total: "sum" }),
-			...areOthers ? axes.map((axis, k) => numbers(`given-${axis}`, sayNamed("as-given", { axis }), "", 3, (i) => beside(i)?.position[k] ?? asGiven.get(surveyed[i]?.name ?? "")?.[k] ?? NaN, say("in-the-unit-and-the", { axis }))) : [],
-			...axes.map((axis, k) => numbers(`surveyed-${axis}`, headOf(system, axis), system.name === "" ? "m" : unitOn(system, k), 3 + moreOn(system, k), (i) => (i < surveyed.length ? own[3 * i + k] : places[i - surveyed.length]?.[k]) ?? NaN, helpOf(system, axis, say("surveyed-in-the-system-of", { axis })))),
-			...axes.map((axis, k) => numbers(`difference-${axis}`, `Δ${axis}`, "m", 3, (i) => surveyed[i]?.difference_m[k] ?? NaN, say("adjusted-minus-surveyed", { axis }), { total: "rms" })),
-			...axes.map((axis, k) => numbers(`difference-sigma-${axis}`, `σ Δ${axis}`, "m", 3, (i) => surveyed[i]?.standard_errors_m[k], say("standard-error-of", { axis }), { total: "rms" })),
-			...axes.map((axis, k) => numbers(`difference-ratio-${axis}`, `Δ/σ ${axis}`, "", 1, (i) => judged[i] && ratioOf(judged[i], k), say("difference-by-standard-error", { axis }), { total: "rms" })),
-			...axes.map((axis, k) => numbers(`left-out-${axis}`, sayNamed("difference-left-out", { axis }), "m", 3, (i) => surveyed[i]?.left_out?.difference[k], say("where-the-other-observations-have", { axis }), { total: "rms" })),
-			...axes.map((axis, k) => numbers(`left-out-sigma-${axis}`, sayNamed("standard-error-left-out", { axis }), "m", 3, (i) => surveyed[i]?.left_out?.standard_errors[k], say("standard-error-of-where-the", { axis }), { total: "rms" }))
-		]
-	};
-}
-function roleText(role) {
-	return role === void 0 ? "" : sayNamed("role", { role });
-}
-var AXES = ["x", "y"];
-var PARTS$1 = [
-	say("accepted"),
-	say("rejected-2"),
-	say("rejected-by-hand-2")
-];
-var observationRows = remember((view, of) => {
-	const { images, points } = view;
-	const parts = PARTS$1.map((label, part) => ({
-		label,
-		has: (row) => of.parts[row] === part
-	}));
-	const residual = (row) => Math.hypot(of.residuals[2 * row] ?? NaN, of.residuals[2 * row + 1] ?? NaN);
-	return {
-		count: of.points.length,
-		columns: [
-			{
-				...words("observation-image", say("image-2"), (i) => images[of.images[i] ?? -1]?.name ?? "", say("the-image-that-shows-the")),
-				parts
-			},
-			pointColumn(view, "observation-point", (i) => of.points[i], say("number-of-the-point")),
-			numbers("observation-x", "x", "px", 2, (i) => of.places[2 * i] ?? NaN, say("column-the-centre-of-the")),
-			numbers("observation-y", "y", "px", 2, (i) => of.places[2 * i + 1] ?? NaN, say("row")),
-			numbers("observation-vx", "vx", "px", 2, (i) => of.residuals[2 * i] ?? NaN, say("residual-in-x-observed-minus"), { total: "rms" }),
-			numbers("observation-vy", "vy", "px", 2, (i) => of.residuals[2 * i + 1] ?? NaN, say("residual-in-y-observed-minus"), { total: "rms" }),
-			numbers("observation-v", say("residual"), "px", 2, residual, say("length-of-the-residual"), { total: "rms" }),
-			numbers("observation-rays", say("rays-2"), "", 0, (i) => points.rays[of.points[i] ?? -1] ?? NaN, say("observations-of-the-point")),
-			...AXES.flatMap((axis, k) => [
-				numbers(`observation-r${axis}`, `r ${axis}`, "", 2, (i) => of.redundancy[2 * i + k] ?? NaN, say("redundancy-number-of-an-observation", { axis }), { total: "mean" }),
-				numbers(`observation-w${axis}`, `w ${axis}`, "", 2, (i) => of.w[2 * i + k] ?? NaN, say("w-statistic-of-an-observation", { axis }), { total: "rms" }),
-				numbers(`observation-mdb${axis}`, `MDB ${axis}`, "px", 2, (i) => of.detectable[2 * i + k] ?? NaN, say("mdb-of-an-observation", { axis }))
-			]),
-			words("observation-part", say("part"), (i) => PARTS$1[of.parts[i] ?? 0] ?? "", say("whether-the-adjustment-accepted-the"))
-		]
-	};
-});
-function observationsOf(of, choice) {
-	if (choice === null) return () => true;
-	if (choice.kind === "image" || choice.kind === "images") {
-		const images = new Set(imagesOf(choice));
-		return (row) => images.has(of.images[row] ?? -1);
-	}
-	if (choice.kind === "pair" || choice.kind === "pairs") {
-		const seen = pairsOf(choice).map((pair) => ({
-			pair,
-			points: commonPoints(of, pair)
-		}));
-		return (row) => seen.some(({ pair, points }) => pair.includes(of.images[row] ?? -1) && points.has(of.points[row] ?? -1));
-	}
-	const points = new Set(pointsOf(choice));
-	return (row) => points.has(of.points[row] ?? -1);
-}
-function commonPoints({ images, points }, [a, b]) {
-	const first = new Set(points.filter((_, row) => images[row] === a));
-	return new Set(points.filter((point, row) => images[row] === b && first.has(point)));
-}
-var COLUMNS = {
-	images: imageRows,
-	pairs: pairRows,
-	points: pointRows,
-	surveyed: surveyedRows
-};
-var ofView = {
-	images: remember(imageRows),
-	pairs: remember(pairRows),
-	points: remember(pointRows)
-};
-var withGiven = remember(surveyedRows);
-function rowsOf(subject, { view, given, asGiven }) {
-	return subject === "surveyed" ? withGiven(view, given, asGiven) : ofView[subject](view);
-}
-function choiceOfRow(subject, { view, given }, row) {
-	if (subject === "images") return row < view.images.length ? {
-		kind: "image",
-		image: row
-	} : null;
-	if (subject === "points") return {
-		kind: "point",
-		point: row
-	};
-	if (subject === "surveyed") {
-		const beside = given[row - view.surveyed.length];
-		if (beside !== void 0) return {
-			kind: "given",
-			name: beside.name
-		};
-		return (view.surveyed[row]?.point ?? -1) < 0 ? null : {
-			kind: "point",
-			point: view.surveyed[row]?.point ?? -1
-		};
-	}
-	const images = subject === "pairs" ? view.connections[row]?.images : void 0;
-	return images === void 0 ? null : {
-		kind: "pair",
-		images
-	};
-}
-function rowsOfChoice(subject, { view, given }, choice) {
-	if (subject === "points") return pointsOf(choice);
-	if (subject === "surveyed") {
-		if (choice?.kind === "given") return Uint32Array.from(given.flatMap(({ name }, i) => name === choice.name ? [view.surveyed.length + i] : []));
-		const points = new Set(pointsOf(choice));
-		return Uint32Array.from(view.surveyed.flatMap(({ point }, row) => points.has(point) ? [row] : []));
-	}
-	if (subject === "images") return Uint32Array.from(imagesOf(choice));
-	if (subject !== "pairs") return new Uint32Array();
-	const pairs = new Set(pairsOf(choice).map(keyOfPair));
-	return Uint32Array.from(view.connections.flatMap(({ images }, row) => pairs.has(keyOfPair(images)) ? [row] : []));
-}
-var EMPTY = {};
-function kept(subject, view, filter) {
-	const { count: rows, columns } = COLUMNS[subject](view, []);
-	return maskOf$1(rows, columns, filter);
-}
-function testOf(subject) {
-	return remember((view, own, ofImages) => {
-		const mask = kept(subject, view, own);
-		const images = subject === "pairs" ? kept("images", view, ofImages) : null;
-		if (mask === null && images === null) return () => true;
-		const keeps = (row) => mask === null || mask[row] === 1;
-		return images === null ? keeps : (row) => keeps(row) && view.connections[row]?.images.every((image) => images[image] === 1) === true;
-	});
-}
-var TESTS = {
-	images: testOf("images"),
-	pairs: testOf("pairs"),
-	points: testOf("points"),
-	surveyed: testOf("surveyed")
-};
-function keptBy(subject, view, { filters }) {
-	return TESTS[subject](view, filters[subject] ?? EMPTY, subject === "pairs" ? filters.images ?? EMPTY : EMPTY);
-}
 // www/block/panel/dock.ts
 var TABLES = [
 	["images", say("images-2")],
@@ -7977,7 +8318,7 @@ function makeDock(store, looking, facts, others) {
 	const { element, panels } = tabbed("dock", say("tables"), [...sources.map(({ subject, title }) => [`block-${subject}`, title]), ...others.map(({ id, title }) => [id, title])]);
 	element.prepend(splitter(element));
 	declareLack(panels.slice(0, sources.length), () => lackOfBlock(store.state));
-	const tables = sources.map((source, i) => oneTable(panels[i] ?? element, store, looking, source));
+	const tables = sources.map((source, i) => oneTable(panels[i] ?? element, store, looking, facts, source));
 	const further = others.map((other, i) => other.make(panels[sources.length + i] ?? element));
 	const draw = () => {
 		for (const table of [...tables, ...further]) table.draw();
@@ -8067,7 +8408,8 @@ function observationSource(facts, redraw) {
 				first: -1
 			};
 			const ofPoints = observationsOf(of, choice);
-			const has = choice.kind === "observation" ? (row) => ofPoints(row) && of.images[row] === choice.image : ofPoints;
+			const isOne = choice.kind === "observation" || choice.kind === "observations" ? among(observationsIn(choice)) : null;
+			const has = isOne === null ? ofPoints : (row) => isOne(of.points[row] ?? -1, of.images[row] ?? -1);
 			return {
 				has,
 				first: of.points.findIndex((_, row) => has(row))
@@ -8076,7 +8418,7 @@ function observationSource(facts, redraw) {
 		tools: [press]
 	};
 }
-function oneTable(host, store, looking, source) {
+function oneTable(host, store, looking, facts, source) {
 	const { subject, title, tools = [] } = source;
 	const ofRow = (row) => {
 		const { shown } = store.state;
@@ -8112,6 +8454,14 @@ function oneTable(host, store, looking, source) {
 		choose: (row) => choose(ofRow(row)),
 		isChosen: (row) => chosen.has(row),
 		...subject === "points" ? { chooseMore: (rows) => choose(withMore(store.state.selection.chosen, rows)) } : {},
+		...subject === "observations" ? { chooseMore: (rows) => {
+			const of = facts.observations();
+			const more = {
+				points: Uint32Array.from(rows, (row) => of?.points[row] ?? 0),
+				images: Uint32Array.from(rows, (row) => of?.images[row] ?? 0)
+			};
+			if (of !== null) choose(withMoreObservations(store.state.selection.chosen, more));
+		} } : {},
 		...subject === "pairs" ? { chooseMore: (rows) => choose(withMorePairs(store.state.selection.chosen, rows.flatMap((row) => pairsOf(ofRow(row))))) } : {},
 		...subject === "images" ? { chooseMore: (rows) => choose(withMoreImages(store.state.selection.chosen, rows.filter(isInBlock))) } : {}
 	});
@@ -8435,7 +8785,11 @@ function mountBack(store, facts, modes, pair, takeMasks) {
 	});
 	const masks = button(say("use-masks-in-the-block"), "masks-to-block", () => takeMasks(othersOf(store, pair)), say("what-they-mask-holds-no"));
 	const matches = makeFromPair(store, facts, pair);
-	const line = h("div", { class: "of-block" }, back, text, ...matches.buttons, masks, open);
+	const line = h("div", {
+		class: "of-block",
+		role: "region",
+		aria: { label: say("pair-and-its-block") }
+	}, back, text, ...matches.buttons, masks, open);
 	const draw = () => {
 		const held = document.activeElement;
 		const offered = pair.names().every((name) => name === null) ? strongestPair(store.state) : null;
@@ -8702,7 +9056,7 @@ function reduced(state, action) {
 			...state,
 			files: action.files,
 			truth: action.truth,
-			running: onOtherInput(state.running)
+			running: withoutRunUnderWay(state.running)
 		};
 		case "skipped": return {
 			...state,
@@ -8714,7 +9068,7 @@ function reduced(state, action) {
 				...state.options,
 				...action.options
 			},
-			running: onOtherInput(state.running),
+			running: withoutRunUnderWay(state.running),
 			notice: null,
 			refused: action.options.settings === void 0 ? state.refused : null
 		};
@@ -8760,8 +9114,7 @@ function reduced(state, action) {
 		case "draft":
 		case "accept":
 		case "mark":
-		case "gotoMark":
-		case "marks": return reduceEdits(state, action);
+		case "gotoMark": return reduceEdits(state, action);
 		case "placed": return state.files.includes(action.image) ? {
 			...state,
 			placing: reducePlacing(state.placing, action)
@@ -8872,9 +9225,6 @@ function reduced(state, action) {
 }
 function viewOf({ shown, placing }) {
 	return placing.draft !== null || shown === null && placing.orthophoto !== null ? "orthophoto" : BLOCK_INITIAL.onStage;
-}
-function onOtherInput(running) {
-	return running.kind === "yes" ? running : { kind: "no" };
 }
 function blank(state) {
 	return {
@@ -9920,10 +10270,10 @@ var BAR$1 = 70;
 function drawScaleBar(context, factor, { transform, rect }) {
 	const { px, length } = barOf(factor * transform.scale);
 	const [x, y] = [rect.left + 10, rect.top + rect.height - 10];
-	const text = say("px-4", {
+	const text = asSentence(say("px-4", {
 		px,
 		factor
-	});
+	}));
 	within(context, rect, () => {
 		context.font = "11px system-ui, sans-serif";
 		const width = Math.max(length, context.measureText(text).width) + 12;
@@ -11249,17 +11599,17 @@ function toolsOf$2(host, store, view, looking) {
 	});
 	declareLack([pair], () => pairOf(store) === null ? say("needs-two-shown") : "");
 	pair.title = say("match-the-two-images-that");
-	const light = makeLight("images-", host, set);
-	const more = h("div", {
-		class: "more image-more",
-		id: "images-more"
-	}, labelled("1:1", "images-actual", say("n-1-1-one-image-pixel"), () => view.moving.actualSize()), ...light.elements, adding, imageLegend("images-menu-legend", view));
-	const other = button(say("other-images"), "images-other", () => view.turn(1), say("other-images-title"));
 	const unfold = h("button", {
 		type: "button",
 		class: "menu-button",
 		testid: "images-menu"
 	}, say("view"));
+	const light = makeLight("images-", host, set, [[unfold, say("view-2")]]);
+	const more = h("div", {
+		class: "more image-more",
+		id: "images-more"
+	}, labelled("1:1", "images-actual", say("n-1-1-one-image-pixel"), () => view.moving.actualSize()), ...light.elements, adding, imageLegend("images-menu-legend", view));
+	const other = button(say("other-images"), "images-other", () => view.turn(1), say("other-images-title"));
 	mountMenu(unfold, more);
 	store.watch(["panes", "shown"], ([panes, shown]) => {
 		const { look } = panes;
@@ -11939,7 +12289,7 @@ function paintScale(context, colours, t, height, system, gsd = null, unit = "m")
 	}
 	context.font = "11px system-ui, sans-serif";
 	context.textAlign = "center";
-	haloed(context, colours, lengthText(length, system, unit), left + wide / 2, base - 6);
+	haloed(context, colours, asSentence(lengthText(length, system, unit)), left + wide / 2, base - 6);
 	context.textAlign = "left";
 	if (gsd !== null) haloed(context, colours, asSentence(gsdText(gsd)), left + wide + 12, base);
 	context.restore();
@@ -14577,6 +14927,10 @@ function filmFields(store, files, measureMarks) {
 		const { film } = store.state.placing;
 		return film.camera === null || film.marks.length === 0 ? say("needs-marked-scans") : "";
 	});
+	const undo = button("", "block-film-undo", () => {
+		stepBy(store, -1);
+		passFocus(undo, [frames]);
+	});
 	const cameraName = h("p", {
 		class: "note",
 		testid: "block-film-camera-name"
@@ -14620,10 +14974,25 @@ function filmFields(store, files, measureMarks) {
 			image: "1963_017.tif"
 		}) : names.join(", ") + more);
 		const [lone] = marksOfNone(film, images);
-		const text = lone !== void 0 ? say("marks-of-no-image", { name: lone }) : film.marks.length > 0 && film.camera === null ? say("marks-need-their-camera") : "";
+		const lacksCamera = film.marks.length > 0 && film.camera === null ? say("marks-need-their-camera") : "";
+		const text = lone !== void 0 ? say("marks-of-no-image", { name: lone }) : lacksCamera || marksFarOff(film.marks, images);
 		if (problem.textContent !== text) problem.textContent = text;
 	});
-	return h("fieldset", { class: "group" }, h("legend", {}, say("scanned-film")), h("div", { class: "control" }, h("div", { class: "buttons" }, camera, marks, measure, remove), cameraName, marksNames, counted, problem, cameraInput, marksInput), h("div", { class: "control" }, frames, h("p", { class: "help" }, say("make-frames-help"))));
+	store.watch([
+		"history",
+		"marks",
+		"draft",
+		"running",
+		"notice"
+	], ([, marks, draft]) => {
+		const { edits, done } = timelineOf(store.state);
+		const last = edits[done - 1];
+		const step = last?.of === "marks" ? marks.edits[last.at] : void 0;
+		const isLast = step !== void 0 && isFramesStep(step) && draft === null;
+		undo.hidden = !isLast;
+		set(undo, isLast ? say("undo-3", { undo: nameOfMarks(step) }) : "", isBusy(store.state));
+	});
+	return h("fieldset", { class: "group" }, h("legend", {}, say("scanned-film")), h("div", { class: "control" }, h("div", { class: "buttons" }, camera, marks, measure, remove), cameraName, marksNames, counted, problem, cameraInput, marksInput), h("div", { class: "control" }, h("div", { class: "buttons" }, frames, undo), h("p", { class: "help" }, say("make-frames-help"))));
 }
 // www/block/panel/placing-settings.ts
 var ORTHOPHOTO = say("none-a-geotiff-in-a");
@@ -15088,7 +15457,7 @@ var surveyedPoints = remember(({ surveyed }, plan) => {
 	const groupOf = (row) => used[row]?.role === "check" ? "check" : judged[row]?.isLeftOut === true ? "left_out" : "adjusted";
 	const kinds = SURVEYED_KINDS.filter(({ key }) => used.some((_, row) => groupOf(row) === key));
 	const kindText = (row) => kinds.find(({ key }) => key === groupOf(row))?.label ?? "";
-	const role = (row) => sayNamed("role", { role: used[row]?.role ?? "check" });
+	const role = (row) => say("role", { role: used[row]?.role ?? "check" });
 	return {
 		...ofPoints(Uint32Array.from(used, ({ point }) => point), {
 			label: say("point"),
@@ -15666,8 +16035,11 @@ var Plot = class extends Chart {
 		line(context, at(from, from), at(to, to));
 	}
 	paintValue(context, colours, { x, y, said }, row, [px, py], area) {
-		const value = ({ unit, values, names }) => names?.[Math.round(values[row] ?? NaN)] ?? withUnit(figure(values[row] ?? NaN), unit);
-		const text = said === void 0 ? `${value(x)}: ${value(y)}` : asSentence(said(row));
+		const value = ({ unit, values, names }) => {
+			const name = names?.[Math.round(values[row] ?? NaN)];
+			return name === void 0 ? withUnit(figure(values[row] ?? NaN), unit) : asFigure(name);
+		};
+		const text = asSentence(said === void 0 ? `${value(x)}: ${value(y)}` : said(row));
 		const wide = context.measureText(text).width + 12;
 		const left = Math.max(Math.min(area.left, this.layers.width - wide), 0, Math.min(px + 8, area.left + area.width - wide));
 		const top = Math.max(area.top, Math.min(py - 24, area.top + area.height - 20));
@@ -15777,7 +16149,7 @@ function plotsView(facts) {
 				});
 			};
 			const picture = button("PNG", "plot-png", () => void savePicture(plot, saved), say("saves-the-plot-as-it"));
-			const values = button("CSV", "plot-csv", () => void saveValues(plot, saved), say("saves-the-values-of-the"));
+			const values = button("CSV", "plot-csv", () => saveValues(plot, saved), say("saves-the-values-of-the"));
 			declareLack([picture, values], () => picture.disabled ? say("no-plot-is-shown") : "");
 			const show = () => {
 				const data = plot.data();
@@ -15811,7 +16183,7 @@ async function savePicture(plot, saved) {
 	save(blob, name);
 	saved(name);
 }
-async function saveValues(plot, saved) {
+function saveValues(plot, saved) {
 	const data = plot.data();
 	if (data === null) return;
 	const column = ({ label, unit, values, names }) => ({
@@ -15824,12 +16196,12 @@ async function saveValues(plot, saved) {
 		...names === void 0 ? {} : { words: true }
 	});
 	const name = `block-${plot.shows}.csv`;
-	save(new Blob([csvOf([
+	saveCsv([
 		...data.about ?? [],
 		column(data.x),
 		column(data.y),
 		...data.more ?? []
-	], data.x.values.keys(), await intoEnglish())], { type: "text/csv" }), name);
+	], data.x.values.keys(), name);
 	saved(name);
 }
 // www/block/panel/components.ts
@@ -16360,7 +16732,11 @@ function mountScansLine(store, modes, pair, block) {
 	}));
 	const take = button(say("use-marks-in-the-block"), "marks-to-block", () => block.take(toTake()), say("the-tables-of-marks-become"));
 	const next = button(say("next-scans"), "next-scans", () => void pair.open(others()), say("next-scans-help"));
-	const line = h("div", { class: "of-block of-scans" });
+	const line = h("div", {
+		class: "of-block of-scans",
+		role: "region",
+		aria: { label: say("marks-of-scans") }
+	});
 	const toTake = () => tablesToTake(store.state.placing.film, pair.shown());
 	const others = () => {
 		const names = pair.shown().map(({ image }) => image);
@@ -17162,7 +17538,7 @@ async function mountBlock(catalogue, { modes, openPair, pair, scans: scansOf, op
 		main
 	]);
 	const pick = mountActions(actions, store, files);
-	mountExports(exports, store, engine, placing);
+	mountExports(exports, store, engine, facts, placing);
 	const status = mountBlockStatus(store, {
 		run: () => void files.actions.run(),
 		why: () => {
@@ -17237,7 +17613,7 @@ async function mountBlock(catalogue, { modes, openPair, pair, scans: scansOf, op
 	stage.prepend(status);
 	editLine.prepend(mountEditBar(store, facts, () => measures));
 	mountEditPanel(results.panels[1], store);
-	mountBlockEditKeys(store, [stage, results.element]);
+	mountBlockEditKeys(store, facts, [stage, results.element]);
 	const near = makeNear("block-near", () => store.dispatch({
 		type: "notice",
 		notice: null

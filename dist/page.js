@@ -850,30 +850,16 @@ function asSentence(text) {
 function asFigure(text) {
 	return IS_FROM_RIGHT ? `${LRI}${text}${PDI}` : text;
 }
+function withoutParts(text) {
+	return text.replaceAll(/[\u2066-\u2069]/gu, "");
+}
 // www/shared/text/words.ts
 var CATALOGUE = new Catalogue(LANGUAGE, LANGUAGE !== "en");
-var named = new Map();
 function learn(texts) {
 	CATALOGUE.add(texts);
 }
 function say(name, figures = {}) {
-	const text = asClauses(CATALOGUE.text(name, figures) ?? name);
-	if (LANGUAGE !== "en" && Object.keys(figures).length === 0 && !named.has(text)) named.set(text, {
-		name,
-		figures
-	});
-	return text;
-}
-function sayNamed(name, figures) {
-	const text = say(name, figures);
-	if (LANGUAGE !== "en") named.set(text, {
-		name,
-		figures
-	});
-	return text;
-}
-function nameOfText(text) {
-	return named.get(text) ?? null;
+	return asClauses(CATALOGUE.text(name, figures) ?? name);
 }
 function known(name, attribute = null) {
 	return CATALOGUE.text(name, {}, attribute);
@@ -948,6 +934,15 @@ async function loadPart(file, load) {
 	if (besideFiles() && true) await reach(file);
 	return load();
 }
+function fetchEarly(file) {
+	if (!besideFiles() || false) return;
+	const link = document.createElement("link");
+	Object.assign(link, {
+		rel: "modulepreload",
+		href: new URL(file, document.baseURI).href
+	});
+	document.head.append(link);
+}
 async function reach(file) {
 	const answer = await fetch(new URL(file, document.baseURI)).catch(() => null);
 	if (answer?.ok !== true) throw new Error(say("the-file-of-the-page", {
@@ -993,15 +988,6 @@ async function learnPart(part) {
 	if (learned.includes(part)) return;
 	learned.push(part);
 	learn(texts);
-}
-async function intoEnglish() {
-	if (LANGUAGE === "en") return (text) => text;
-	const english = new Catalogue("en", false);
-	for (const texts of await Promise.all(learned.map((part) => textsOf("en", part)))) english.add(texts);
-	return (text) => {
-		const said = nameOfText(text);
-		return (said === null ? null : english.text(said.name, said.figures)) ?? text;
-	};
 }
 // www/shared/files/drop.ts
 var FILES = "Files";
@@ -1193,6 +1179,12 @@ async function change(to, keeper) {
 	location.reload();
 }
 // www/main.ts
+function firstView() {
+	return new Promise((drawn) => {
+		if (document.hidden) drawn();
+		else requestAnimationFrame(() => window.setTimeout(drawn));
+	});
+}
 async function start() {
 	const answer = document.getElementById("status");
 	let [given, hasTexts] = [0, false];
@@ -1204,6 +1196,8 @@ async function start() {
 		given = waiting;
 		tell();
 	});
+	await firstView();
+	fetchEarly("program.js");
 	wasmModule().catch(() => void 0);
 	await learnPart("program");
 	sayDocument();
@@ -1221,4 +1215,4 @@ start().catch(() => {
 	document.getElementById("not-loaded")?.removeAttribute("hidden");
 	showDocument();
 });
-export { LANGUAGE, LANGUAGES, LatePart, __vitePreload, arrange, asClauses, asFigure, asSentence, besideFiles, button, byId, count, decimalsOfError, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, sayNamed, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus };
+export { LANGUAGE, LANGUAGES, LatePart, __vitePreload, arrange, asClauses, asFigure, asSentence, besideFiles, button, byId, count, decimalsOfError, fill, fixed, grouped, h, keepChoice, keptChoice, known, learnPart, loadPart, markStale, mountLanguage, percent, refusedText, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus, withoutParts };

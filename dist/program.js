@@ -1,4 +1,4 @@
-import { LANGUAGE, LANGUAGES, LatePart, __vitePreload, arrange, asClauses, asFigure, asSentence, besideFiles, button, byId, count, decimalsOfError, fill, fixed, grouped, h, intoEnglish, keepChoice, keptChoice, known as known$1, learnPart, loadPart, markStale, mountLanguage, percent, refusedText as refusedText$1, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus } from "./page.js";
+import { LANGUAGE, LANGUAGES, LatePart, __vitePreload, arrange, asClauses, asFigure, asSentence, besideFiles, button, byId, count, decimalsOfError, fill, fixed, grouped, h, keepChoice, keptChoice, known as known$1, learnPart, loadPart, markStale, mountLanguage, percent, refusedText as refusedText$1, row, say, scriptAddress, section, sentence, significant, spawnWorker, svg, wasmModule, withMinus, withoutParts } from "./page.js";
 // pkg/wasm/tiepoint.js
 var BlockOnOrthophoto = class {
 	__destroy_into_raw() {
@@ -1931,8 +1931,8 @@ function makeNear(testid, close) {
 		capture: true,
 		passive: true
 	});
-	document.addEventListener("keydown", ({ key }) => {
-		if (key === "Escape" && !element.hidden) close();
+	document.addEventListener("keydown", ({ key, defaultPrevented }) => {
+		if (key === "Escape" && !element.hidden && !defaultPrevented) close();
 	});
 	return {
 		element,
@@ -2535,6 +2535,173 @@ function undoKeys(isActive, step) {
 		if (!(event.ctrlKey || event.metaKey) || event.altKey || target instanceof Element && target.closest("input, textarea, select, dialog") !== null) return;
 		if (act(`Ctrl+${event.shiftKey ? "Shift+" : ""}${key.toUpperCase()}`, event.shiftKey)) event.preventDefault();
 	});
+}
+// www/shared/panel/not-listed.ts
+var NotListed = class {
+	element;
+	constructor(testid, of) {
+		this.element = h("span", {
+			class: "note",
+			id: testid,
+			testid,
+			hidden: true
+		});
+		for (const made of of) made.setAttribute("aria-describedby", testid);
+	}
+	show(others) {
+		this.element.hidden = others === 0;
+		const text = others === 0 ? "" : say("chosen-not-listed", { others });
+		if (this.element.textContent !== text) this.element.textContent = text;
+	}
+};
+// www/shared/state/rows.ts
+function ordered(count, columns, { key, descending }) {
+	const rows = Uint32Array.from({ length: count }, (_, row) => row);
+	const column = columns.find((candidate) => candidate.key === key);
+	if (column === void 0) return rows;
+	const sign = descending ? -1 : 1;
+	const values = Array.from(rows, column.value);
+	if (values.some((value) => typeof value === "string")) {
+		const words = new Intl.Collator("en", { numeric: true });
+		return rows.sort((a, b) => sign * words.compare(String(values[a]), String(values[b])) || a - b);
+	}
+	const keys = Float64Array.from(values, (value) => typeof value === "number" && !Number.isNaN(value) ? sign * value : Infinity);
+	return rows.sort((a, b) => (keys[a] ?? 0) < (keys[b] ?? 0) ? -1 : (keys[a] ?? 0) > (keys[b] ?? 0) ? 1 : a - b);
+}
+function keptOf(rows, keep) {
+	const kept = new Uint32Array(rows.length);
+	let length = 0;
+	for (const row of rows) if (keep(row)) kept[length++] = row;
+	return kept.subarray(0, length);
+}
+function keeping$1(columns, filter) {
+	const tests = columns.flatMap(({ key, value, text, words }) => {
+		const condition = filter[key];
+		if (condition === void 0 || condition.kind === "contains" !== (words === true)) return [];
+		if (condition.kind === "contains") {
+			const wanted = condition.text.toLowerCase();
+			return [(row) => text(row).toLowerCase().includes(wanted)];
+		}
+		const [from, to] = [condition.from ?? -Infinity, condition.to ?? Infinity];
+		return [(row) => {
+			const number = Number(value(row));
+			return number >= from && number <= to;
+		}];
+	});
+	const [only = null] = tests;
+	return tests.length < 2 ? only : (row) => tests.every((test) => test(row));
+}
+function maskOf(count, columns, filter) {
+	const meets = keeping$1(columns, filter);
+	if (meets === null) return null;
+	const mask = new Uint8Array(count);
+	for (let row = 0; row < count; row++) mask[row] = Number(meets(row));
+	return mask;
+}
+var NUMBER = String.raw`[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?`;
+var BETWEEN = new RegExp(`^(${NUMBER})\\s*(?:\\.\\.+|…|–|-|to)\\s*(${NUMBER})$`, "iu");
+var LIMIT = new RegExp(`^(>=|<=|≥|≤|>|<)\\s*(${NUMBER})$`, "iu");
+var EQUAL = new RegExp(`^=?\\s*(${NUMBER})$`, "iu");
+function conditionOf(typed, words) {
+	const text = typed.trim();
+	if (text === "") return null;
+	if (words) return {
+		kind: "contains",
+		text
+	};
+	const plain = text.replaceAll("−", "-").replaceAll(/[\u202f ](?=\d{3})/gu, "");
+	const between = BETWEEN.exec(plain);
+	if (between !== null) return {
+		kind: "range",
+		from: Number(between[1]),
+		to: Number(between[2])
+	};
+	const limit = LIMIT.exec(plain);
+	if (limit !== null) return limited(limit[1] ?? "", Number(limit[2]));
+	const equal = EQUAL.exec(plain)?.[1];
+	if (equal === void 0) return void 0;
+	const half = /e/iu.test(equal) ? 0 : .5 * 10 ** -(equal.split(".")[1]?.length ?? 0);
+	return {
+		kind: "range",
+		from: Number(equal) - half,
+		to: Number(equal) + half
+	};
+}
+function limited(sign, number) {
+	const next = Math.max(Math.abs(number) * Number.EPSILON, Number.MIN_VALUE);
+	if (sign === ">") return {
+		kind: "range",
+		from: number + next,
+		to: null
+	};
+	if (sign === "<") return {
+		kind: "range",
+		from: null,
+		to: number - next
+	};
+	return sign === ">=" || sign === "≥" ? {
+		kind: "range",
+		from: number,
+		to: null
+	} : {
+		kind: "range",
+		from: null,
+		to: number
+	};
+}
+function conditionText(condition) {
+	if (condition === void 0) return "";
+	if (condition.kind === "contains") return condition.text;
+	const { from, to } = condition;
+	if (from !== null && to !== null) return `${String(from)}..${String(to)}`;
+	if (from !== null) return limitText(">", "≥", from);
+	return to === null ? "" : limitText("<", "≤", to);
+}
+function limitText(beyond, up, limit) {
+	const typed = Math.abs(limit) === Number.MIN_VALUE ? 0 : Number(limit.toPrecision(15));
+	const { from, to } = limited(beyond, typed);
+	return (from ?? to) === limit ? `${beyond}${String(typed)}` : `${up}${String(limit)}`;
+}
+function totalOf(column, rows) {
+	let [sum, squares, count] = [
+		0,
+		0,
+		0
+	];
+	for (const row of rows) {
+		const value = column.value(row);
+		if (typeof value !== "number" || Number.isNaN(value)) continue;
+		sum += value;
+		squares += value * value;
+		count += 1;
+	}
+	if (count === 0) return NaN;
+	return column.total === "sum" ? sum : column.total === "mean" ? sum / count : Math.sqrt(squares / count);
+}
+function headText({ label, unit }) {
+	const text = withoutParts(label).replaceAll(/[\u200e\u200f]/gu, "");
+	return unit === "" ? text : `${text} [${unitText(unit)}]`;
+}
+function guarded(text) {
+	return /^'*[=+\-@\t\r]/u.test(text) ? `'${text}` : text;
+}
+function plain(column, row) {
+	const text = withoutParts(column.text(row));
+	if (column.words === true) return guarded(text);
+	const figure = text.replaceAll(" ", "").replaceAll("−", "-").replace(/^–$/u, "");
+	return Number.isNaN(Number(figure)) ? guarded(figure) : figure;
+}
+function csvOf(columns, rows) {
+	const field = (text) => /[",\r\n]/u.test(text) ? `"${text.replaceAll("\"", "\"\"")}"` : text;
+	return linesOf(columns, rows, field, ",");
+}
+function tabbedOf(columns, rows) {
+	return linesOf(columns, rows, (text) => text.replaceAll(/[\t\r\n]/gu, " "), "	");
+}
+function linesOf(columns, rows, field, between) {
+	const lines = [columns.map((column) => field(guarded(headText(column)))).join(between)];
+	for (const row of rows) lines.push(columns.map((column) => field(plain(column, row))).join(between));
+	return `${lines.join("\n")}\n`;
 }
 // www/shared/view/gestures.ts
 var CLICK_SLACK = 5;
@@ -3974,12 +4141,12 @@ function likeOf(value, like, name) {
 	if (typeof value !== typeof like || typeof value === "number" && Number.isNaN(value)) throw wrong(name);
 	return value;
 }
-function listOf(value, name, element) {
+function listOf$1(value, name, element) {
 	if (!Array.isArray(value)) throw wrong(name);
 	return value.map((one, i) => element(one, `${name}[${String(i)}]`));
 }
 function positionFrom(value, name) {
-	const [x, y, ...more] = listOf(value, name, (number, at) => likeOf(number, 0, at));
+	const [x, y, ...more] = listOf$1(value, name, (number, at) => likeOf(number, 0, at));
 	if (x === void 0 || y === void 0 || more.length > 0) throw wrong(name);
 	return [x, y];
 }
@@ -4038,7 +4205,7 @@ var Journal$1 = class {
 		const value = parts.get(this.name);
 		if (value === void 0) return NO_HISTORY;
 		const { done, pieces } = objectOf(value, "edits");
-		const edits = Array.from({ length: likeOf(pieces, 0, "edits.pieces") }, (_, i) => parts.get(`${this.name}/${String(i)}`)).flatMap((piece, i) => listOf(piece, `edits[${String(i)}]`, this.editFrom));
+		const edits = Array.from({ length: likeOf(pieces, 0, "edits.pieces") }, (_, i) => parts.get(`${this.name}/${String(i)}`)).flatMap((piece, i) => listOf$1(piece, `edits[${String(i)}]`, this.editFrom));
 		return {
 			edits,
 			done: doneFrom(done, edits.length, "edits.done")
@@ -4129,148 +4296,10 @@ function whenInSight(host, draw) {
 		});
 	};
 }
-// www/shared/state/rows.ts
-function ordered(count, columns, { key, descending }) {
-	const rows = Uint32Array.from({ length: count }, (_, row) => row);
-	const column = columns.find((candidate) => candidate.key === key);
-	if (column === void 0) return rows;
-	const sign = descending ? -1 : 1;
-	const values = Array.from(rows, column.value);
-	if (values.some((value) => typeof value === "string")) {
-		const words = new Intl.Collator("en", { numeric: true });
-		return rows.sort((a, b) => sign * words.compare(String(values[a]), String(values[b])) || a - b);
-	}
-	const keys = Float64Array.from(values, (value) => typeof value === "number" && !Number.isNaN(value) ? sign * value : Infinity);
-	return rows.sort((a, b) => (keys[a] ?? 0) < (keys[b] ?? 0) ? -1 : (keys[a] ?? 0) > (keys[b] ?? 0) ? 1 : a - b);
-}
-function keptOf(rows, keep) {
-	const kept = new Uint32Array(rows.length);
-	let length = 0;
-	for (const row of rows) if (keep(row)) kept[length++] = row;
-	return kept.subarray(0, length);
-}
-function keeping$1(columns, filter) {
-	const tests = columns.flatMap(({ key, value, text, words }) => {
-		const condition = filter[key];
-		if (condition === void 0 || condition.kind === "contains" !== (words === true)) return [];
-		if (condition.kind === "contains") {
-			const wanted = condition.text.toLowerCase();
-			return [(row) => text(row).toLowerCase().includes(wanted)];
-		}
-		const [from, to] = [condition.from ?? -Infinity, condition.to ?? Infinity];
-		return [(row) => {
-			const number = Number(value(row));
-			return number >= from && number <= to;
-		}];
-	});
-	const [only = null] = tests;
-	return tests.length < 2 ? only : (row) => tests.every((test) => test(row));
-}
-function maskOf(count, columns, filter) {
-	const meets = keeping$1(columns, filter);
-	if (meets === null) return null;
-	const mask = new Uint8Array(count);
-	for (let row = 0; row < count; row++) mask[row] = Number(meets(row));
-	return mask;
-}
-var NUMBER = String.raw`[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?`;
-var BETWEEN = new RegExp(`^(${NUMBER})\\s*(?:\\.\\.+|…|–|-|to)\\s*(${NUMBER})$`, "iu");
-var LIMIT = new RegExp(`^(>=|<=|≥|≤|>|<)\\s*(${NUMBER})$`, "iu");
-var EQUAL = new RegExp(`^=?\\s*(${NUMBER})$`, "iu");
-function conditionOf(typed, words) {
-	const text = typed.trim();
-	if (text === "") return null;
-	if (words) return {
-		kind: "contains",
-		text
-	};
-	const plain = text.replaceAll("−", "-").replaceAll(/[\u202f ](?=\d{3})/gu, "");
-	const between = BETWEEN.exec(plain);
-	if (between !== null) return {
-		kind: "range",
-		from: Number(between[1]),
-		to: Number(between[2])
-	};
-	const limit = LIMIT.exec(plain);
-	if (limit !== null) return limited(limit[1] ?? "", Number(limit[2]));
-	const equal = EQUAL.exec(plain)?.[1];
-	if (equal === void 0) return void 0;
-	const half = /e/iu.test(equal) ? 0 : .5 * 10 ** -(equal.split(".")[1]?.length ?? 0);
-	return {
-		kind: "range",
-		from: Number(equal) - half,
-		to: Number(equal) + half
-	};
-}
-function limited(sign, number) {
-	const next = Math.max(Math.abs(number) * Number.EPSILON, Number.MIN_VALUE);
-	if (sign === ">") return {
-		kind: "range",
-		from: number + next,
-		to: null
-	};
-	if (sign === "<") return {
-		kind: "range",
-		from: null,
-		to: number - next
-	};
-	return sign === ">=" || sign === "≥" ? {
-		kind: "range",
-		from: number,
-		to: null
-	} : {
-		kind: "range",
-		from: null,
-		to: number
-	};
-}
-function conditionText(condition) {
-	if (condition === void 0) return "";
-	if (condition.kind === "contains") return condition.text;
-	const { from, to } = condition;
-	if (from !== null && to !== null) return `${String(from)}..${String(to)}`;
-	return from !== null ? `≥${String(from)}` : to !== null ? `≤${String(to)}` : "";
-}
-function totalOf(column, rows) {
-	let [sum, squares, count] = [
-		0,
-		0,
-		0
-	];
-	for (const row of rows) {
-		const value = column.value(row);
-		if (typeof value !== "number" || Number.isNaN(value)) continue;
-		sum += value;
-		squares += value * value;
-		count += 1;
-	}
-	if (count === 0) return NaN;
-	return column.total === "sum" ? sum : column.total === "mean" ? sum / count : Math.sqrt(squares / count);
-}
-function headText({ label, unit }, inEnglish) {
-	const name = inEnglish(label);
-	return unit === "" ? name : `${name} [${unit}]`;
-}
-function guarded(text) {
-	return /^'*[=+\-@\t\r]/u.test(text) ? `'${text}` : text;
-}
-function plain(column, row, inEnglish) {
-	const text = column.text(row);
-	if (column.words === true) return guarded(inEnglish(text));
-	const figure = text.replaceAll(" ", "").replaceAll("−", "-").replace(/^–$/u, "");
-	return Number.isNaN(Number(figure)) ? guarded(figure) : figure;
-}
-function csvOf(columns, rows, inEnglish) {
-	const field = (text) => /[",\r\n]/u.test(text) ? `"${text.replaceAll("\"", "\"\"")}"` : text;
-	return linesOf(columns, rows, field, ",", inEnglish);
-}
-function tabbedOf(columns, rows, inEnglish) {
-	return linesOf(columns, rows, (text) => text.replaceAll(/[\t\r\n]/gu, " "), "	", inEnglish);
-}
-function linesOf(columns, rows, field, between, inEnglish) {
-	const lines = [columns.map((column) => field(guarded(headText(column, inEnglish)))).join(between)];
-	for (const row of rows) lines.push(columns.map((column) => field(plain(column, row, inEnglish))).join(between));
-	return `${lines.join("\n")}\n`;
+// www/shared/files/csv.ts
+var MARK = LANGUAGE === "en" ? "" : "﻿";
+function saveCsv(columns, rows, name) {
+	save(new Blob([MARK, csvOf(columns, rows)], { type: "text/csv" }), name);
 }
 // www/shared/panel/rows.ts
 var ROW = 24;
@@ -4428,7 +4457,7 @@ var TableBar = class {
 			}
 		}, h("span", { class: "rows-of" }, `${words}: `), this.rows);
 		this.clear = button(say("show-all"), `${testid}-clear`, doing.clear, say("takes-away-what-is-typed"));
-		const csv = button("CSV", `${testid}-csv`, () => void this.save(csv), say("saves-the-rows-and-columns"));
+		const csv = button("CSV", `${testid}-csv`, doing.csv, say("saves-the-rows-and-columns"));
 		const copy = button(say("copy-2"), `${testid}-copy`, () => void this.copy(copy), say("copies-the-rows-and-columns"));
 		const columns = button(say("columns"), `${testid}-columns`, () => this.unfold(columns, this.list.classList.toggle("is-open")));
 		columns.setAttribute("aria-expanded", "false");
@@ -4473,10 +4502,7 @@ var TableBar = class {
 		columns.setAttribute("aria-expanded", String(open));
 	}
 	async copy(press) {
-		tellOn(press, await this.doing.copied().then(toClipboard, () => false) ? say("copied") : say("not-copied"));
-	}
-	async save(press) {
-		await this.doing.csv().catch(() => tellOn(press, say("not-saved")));
+		tellOn(press, await toClipboard(this.doing.copied()) ? say("copied") : say("not-copied"));
 	}
 };
 function tellOn(press, text) {
@@ -4560,10 +4586,8 @@ var Table = class {
 		this.table = new RowsInSight(testid, words, (place) => this.shown[place] ?? -1, (place, former) => this.row(this.shown[place] ?? 0, place, former));
 		this.bar = file === void 0 ? null : new TableBar(testid, words.table, {
 			hide: (hidden) => this.hide(hidden),
-			csv: async () => {
-				save(new Blob([csvOf(this.columns, this.shown, await intoEnglish())], { type: "text/csv" }), file);
-			},
-			copied: async () => tabbedOf(this.columns, this.shown, await intoEnglish()),
+			csv: () => saveCsv(this.columns, this.shown, file),
+			copied: () => tabbedOf(this.columns, this.shown),
 			clear: () => {
 				if (options.showAll === void 0) options.filter?.({});
 				else options.showAll();
@@ -5161,7 +5185,7 @@ function showAll(controls, groups, settings, acting) {
 }
 // www/shared/panel/light.ts
 var MOST = 3;
-function makeLight(prefix, host, set) {
+function makeLight(prefix, host, set, presses) {
 	const brightness = slider(say("brightness"), `${prefix}brightness`, (share) => set({ brightness: share }));
 	const contrast = slider(say("contrast"), `${prefix}contrast`, (share) => set({ contrast: share }));
 	const reset = button(say("light-reset"), `${prefix}light-reset`, () => {
@@ -5180,10 +5204,22 @@ function makeLight(prefix, host, set) {
 			brightness.show(light.brightness);
 			contrast.show(light.contrast);
 			reset.disabled = isOwnLight(light);
+			for (const [press, label] of presses) markChanged(press, label, light);
 			host.style.setProperty("--light", isOwnLight(light) ? "none" : `brightness(${String(light.brightness)}) contrast(${String(light.contrast)})`);
 		}
 	};
 }
+function markChanged(press, label, light) {
+	const text = isOwnLight(light) ? label : say("light-changed", {
+		label,
+		brightness: percentOf(light.brightness),
+		contrast: percentOf(light.contrast)
+	});
+	press.classList.toggle("has-own-light", !isOwnLight(light));
+	press.title = text;
+	press.setAttribute("aria-label", text);
+}
+var percentOf = (share) => Math.round(100 * share);
 function slider(label, testid, onChange) {
 	const input = h("input", {
 		type: "range",
@@ -5199,7 +5235,7 @@ function slider(label, testid, onChange) {
 	input.addEventListener("dblclick", () => onChange(1));
 	const show = (share) => {
 		input.value = String(Math.log(share) / Math.log(MOST));
-		input.setAttribute("aria-valuetext", say("light-percent", { percent: Math.round(100 * share) }));
+		input.setAttribute("aria-valuetext", say("light-percent", { percent: percentOf(share) }));
 	};
 	return {
 		element: h("label", { class: "choice" }, h("span", {}, label), input),
@@ -5245,12 +5281,13 @@ function mountMenu(press, panel) {
 		show(false);
 		if (held) press.focus();
 	});
-	document.addEventListener("keydown", ({ key }) => {
-		if (key !== "Escape" || !isUnfolded()) return;
+	document.addEventListener("keydown", (event) => {
+		if (event.key !== "Escape" || !isUnfolded()) return;
+		event.stopImmediatePropagation();
 		const held = panel.contains(document.activeElement);
 		show(false);
 		if (held) press.focus();
-	});
+	}, { capture: true });
 	show(false);
 	const resized = new ResizeObserver(cover);
 	for (const element of [panel, document.documentElement]) resized.observe(element);
@@ -8782,7 +8819,7 @@ function editFrom(value, name) {
 		case "reject":
 		case "restore": return {
 			kind,
-			of: listOf(edit.of, `${name}.of`, targetFrom)
+			of: listOf$1(edit.of, `${name}.of`, targetFrom)
 		};
 		case "add": return {
 			kind,
@@ -8801,7 +8838,7 @@ function targetFrom(value, name) {
 	return typeof value === "number" ? likeOf(value, 0, name) : placeFrom(value, name);
 }
 function placeFrom(value, name) {
-	const [xl = NaN, yl = NaN, xr = NaN, yr = NaN, ...more] = listOf(value, name, (number, at) => likeOf(number, 0, at));
+	const [xl = NaN, yl = NaN, xr = NaN, yr = NaN, ...more] = listOf$1(value, name, (number, at) => likeOf(number, 0, at));
 	if (more.length > 0 || [
 		xl,
 		yl,
@@ -8907,7 +8944,7 @@ function maskStepFrom(value, name) {
 	};
 	return {
 		...own,
-		corners: listOf(corners, `${name}.corners`, positionFrom),
+		corners: listOf$1(corners, `${name}.corners`, positionFrom),
 		masked: likeOf(masked, true, `${name}.masked`)
 	};
 }
@@ -8917,8 +8954,8 @@ function markStepFrom(value, name) {
 		side: sideFrom(side, `${name}.side`),
 		deed: likeOf(deed, "", `${name}.deed`),
 		at: likeOf(at, 0, `${name}.at`),
-		out: listOf(out, `${name}.out`, markFrom),
-		put: listOf(put, `${name}.put`, markFrom)
+		out: listOf$1(out, `${name}.out`, markFrom),
+		put: listOf$1(put, `${name}.put`, markFrom)
 	};
 }
 function markFrom(value, name) {
@@ -8973,7 +9010,7 @@ function shelfFrom(value) {
 	if (!(value instanceof Map)) throw new Error(say("the-edits-of-other-pairs"));
 	const entry = ([key, kept]) => {
 		const { edits, done, draft } = objectOf(kept, "shelf");
-		const list = listOf(edits, "shelf.edits", editFrom);
+		const list = listOf$1(edits, "shelf.edits", editFrom);
 		const own = {
 			edits: list,
 			done: doneFrom(done, list.length, "shelf.done")
@@ -9582,7 +9619,7 @@ function typedFrom(value, { defaults }, name) {
 		const at = `${name}.photos.${side}`;
 		const { fiducials, origin } = objectOf(photos[side], at);
 		return {
-			fiducials: listOf(fiducials, `${at}.fiducials`, markFrom),
+			fiducials: listOf$1(fiducials, `${at}.fiducials`, markFrom),
 			origin: orNull(origin, (given) => positionFrom(given, `${at}.origin`))
 		};
 	};
@@ -11199,6 +11236,244 @@ function summary(state) {
 		points: codes.length
 	});
 }
+// www/pair/state/statistics.ts
+var POSITION = [{
+	key: "x",
+	label: "x",
+	unit: "px",
+	digits: 1,
+	help: say("column-of-the-left-point")
+}, {
+	key: "y",
+	label: "y",
+	unit: "px",
+	digits: 1,
+	help: say("row-of-the-left-point")
+}];
+var MEASURE = {
+	key: "measure",
+	label: say("measure-2"),
+	unit: "",
+	digits: 4,
+	help: say("dissimilarity-of-the-points-by"),
+	total: "mean"
+};
+var CORRELATION = {
+	key: "correlation",
+	label: say("correlation-of-a-match"),
+	unit: "",
+	digits: 4,
+	help: say("correlation-after-least-squares"),
+	total: "mean"
+};
+var FIT = {
+	key: "standard_error",
+	label: "s(x, y)",
+	unit: "px",
+	digits: 3,
+	help: say("standard-error-of-the-right"),
+	total: "rms"
+};
+var ADJUSTED = [
+	{
+		key: "v",
+		label: say("y-parallax"),
+		unit: "px",
+		digits: 3,
+		inPixels: true,
+		help: say("residual-y-parallax-the-distance"),
+		total: "rms"
+	},
+	{
+		key: "r",
+		label: "r",
+		unit: "",
+		digits: 3,
+		help: say("redundancy-number-the-share-of"),
+		total: "sum"
+	},
+	{
+		key: "w",
+		label: "w",
+		unit: "",
+		digits: 2,
+		help: say("w-statistic-standardised-residual-data"),
+		total: "rms"
+	},
+	{
+		key: "detectable",
+		label: "∇",
+		unit: "px",
+		digits: 3,
+		inPixels: true,
+		help: say("minimal-detectable-bias-mdb-across"),
+		total: "mean"
+	},
+	{
+		key: "influence",
+		label: "δ",
+		unit: "",
+		digits: 2,
+		help: say("external-reliability-the-largest-effect"),
+		total: "mean"
+	},
+	{
+		key: "weight",
+		label: say("weight"),
+		unit: "",
+		digits: 2,
+		help: say("weight-in-the-adjustment-0"),
+		total: "mean"
+	},
+	{
+		key: "model_x",
+		label: "X",
+		unit: "mm",
+		digits: 2,
+		ofModel: true,
+		help: say("model-coordinate-at-photo-scale")
+	},
+	{
+		key: "model_y",
+		label: "Y",
+		unit: "mm",
+		digits: 2,
+		ofModel: true,
+		help: say("model-coordinate-at-photo-scale-across")
+	},
+	{
+		key: "model_z",
+		label: "Z",
+		unit: "mm",
+		digits: 2,
+		ofModel: true,
+		help: say("model-coordinate-at-photo-scale-upwards")
+	}
+];
+function worstError(fits, match) {
+	if (5 * match >= fits.length) return NaN;
+	const [xx = NaN, xy = NaN, yy = NaN] = fits.subarray(5 * match + 1, 5 * match + 4);
+	return Math.sqrt(.5 * (xx + yy) + Math.hypot(.5 * (xx - yy), xy));
+}
+var statisticsOf = remember((left, match, orientation, score, pixel) => {
+	const used = match.matches.length / 5;
+	const off = Uint32Array.from(match.rules, (_, left) => left).filter((left) => match.rules[left] === BY_HAND);
+	const count = used + off.length;
+	const lefts = Uint32Array.from({ length: count }, (_, i) => i < used ? match.indices[2 * i] ?? 0 : off[i - used] ?? 0);
+	const at = (i, k) => (i < used ? match.matches[5 * i + k] : left?.[3 * (lefts[i] ?? 0) + k]) ?? NaN;
+	const compared = measuresOf(match);
+	const measure = (i) => {
+		if (i < used) return compared[i] ?? NaN;
+		const [index = 0, own = NaN] = [lefts[i], match.measures[2 * (lefts[i] ?? 0)]];
+		return Number.isFinite(own) && !isPredicted$1(match, index) ? own : NaN;
+	};
+	const figure = ({ key, label, unit, digits, help, ...told }, value) => numbers$2(key, label, unit, digits, value, help, told);
+	const columns = POSITION.map((column, k) => figure(column, (i) => at(i, k)));
+	columns.push(figure(MEASURE, measure));
+	if (!match.fits.every(Number.isNaN)) {
+		if (match.geometry !== null) columns.push(figure(CORRELATION, (i) => match.fits[5 * i] ?? NaN));
+		columns.push(figure(FIT, (i) => worstError(match.fits, i)));
+	}
+	const codes = new Uint8Array(count).fill(BY_HAND);
+	codes.set(matchCodes(match, orientation));
+	if (orientation !== null) {
+		const { points, base_mm: base } = orientation;
+		ADJUSTED.forEach(({ inPixels = false, ofModel = false, digits, ...column }, k) => {
+			const scale = inPixels ? pixel ?? NaN : 1;
+			const shown = ofModel ? decimalsOfError(base / 1e3, digits) : digits;
+			columns.push(figure({
+				...column,
+				digits: shown
+			}, (i) => (points[9 * i + k] ?? NaN) / scale));
+		});
+	}
+	return {
+		count,
+		columns,
+		codes,
+		lefts,
+		rightness: score !== null && score.rightness.length === used ? score.rightness : null
+	};
+});
+function statisticsOfState(state) {
+	const { left, match, orientation, edited } = shownPair(state);
+	if (match === null || edited?.found.counts.matches === 0) return null;
+	const interior = interiorInUse(state)?.left;
+	return statisticsOf(left, match, orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
+}
+// www/pair/state/listed.ts
+var STATES = {
+	[GROSS_ERROR]: say("gross-error"),
+	[BY_HAND]: say("rejected-by-hand-2"),
+	[MANUAL]: say("by-hand")
+};
+var RIGHTNESS = [
+	say("wrong"),
+	say("at-an-edge"),
+	say("correct")
+];
+var columnsOf = remember(({ columns, codes, rightness }) => [
+	{
+		key: "match",
+		label: say("match-2"),
+		unit: "",
+		help: say("number-of-the-match-in"),
+		value: (match) => match + 1,
+		text: (match) => count(match + 1)
+	},
+	...columns,
+	words("state", say("state-2"), (match) => STATES[codes[match] ?? 0] ?? say("used"), say("whether-the-adjustment-used-the")),
+	...rightness === null ? [] : [words("truth", say("truth"), (match) => RIGHTNESS[rightness[match] ?? 0] ?? "", say("whether-the-match-is-right"))]
+]);
+function kindOf(statistics, { kind }) {
+	return kind === "wrong" && statistics?.rightness == null ? "all" : kind;
+}
+function isOf({ codes, rightness }, kind, match) {
+	switch (kind) {
+		case "all": return true;
+		case "used": return codes[match] === MATCHED || codes[match] === MANUAL;
+		case "rejected": return codes[match] === GROSS_ERROR;
+		case "by-hand": return codes[match] === BY_HAND || codes[match] === MANUAL;
+		case "wrong": return rightness?.[match] === 0;
+	}
+}
+var leftOutOf = remember((statistics, filter, match, rights) => {
+	const kind = kindOf(statistics, filter);
+	const meets = maskOf(statistics.count, columnsOf(statistics), filter.conditions);
+	if (kind === "all" && meets === null) return null;
+	const matches = Uint8Array.from({ length: statistics.count }, (_, row) => Number(!isOf(statistics, kind, row) || meets?.[row] === 0));
+	const [left, right] = [new Uint8Array(match.rules.length), new Uint8Array(rights)];
+	const used = match.matches.length / 5;
+	const rightOf = (row) => (row < used ? match.indices[2 * row + 1] : match.best[statistics.lefts[row] ?? -1]) ?? -1;
+	matches.forEach((out, row) => {
+		left[statistics.lefts[row] ?? -1] = out;
+		if (out === 1) right[rightOf(row)] = 1;
+	});
+	matches.forEach((out, row) => {
+		if (out === 0) right[rightOf(row)] = 0;
+	});
+	return {
+		left,
+		right,
+		matches
+	};
+});
+function leftOut(state) {
+	const { filter } = state;
+	if (filter.kind === "all" && Object.keys(filter.conditions).length === 0) return null;
+	const statistics = statisticsOfState(state);
+	const { match, right } = shownPair(state);
+	return statistics === null || match === null ? null : leftOutOf(statistics, filter, match, (right?.length ?? 0) / 3);
+}
+function makeListed() {
+	return remember((codes, out) => out === null ? codes : codes.map((code, i) => out[i] === 1 ? 255 : code));
+}
+var listedPlaces = remember((places, out) => {
+	return out === null ? places : {
+		...places,
+		codes: places.codes.map((code, i) => out.left[places.lefts[i] ?? -1] === 1 ? 255 : code)
+	};
+});
 // www/pair/state/choice.ts
 var NONE = [];
 var leftsOf = remember((edited, chosen) => {
@@ -11209,9 +11484,16 @@ function chosenLefts(state) {
 	const edited = editedPair(state);
 	return edited === null || state.chosen.length === 0 ? NONE : leftsOf(edited, state.chosen);
 }
+var listedOf = remember((lefts, out) => out === null ? lefts : lefts.filter((left) => out.left[left] !== 1));
+function listedLefts(state) {
+	const lefts = chosenLefts(state);
+	return lefts.length === 0 ? lefts : listedOf(lefts, leftOut(state));
+}
+function notListed(state) {
+	return chosenLefts(state).length - listedLefts(state).length;
+}
 function concerned(state, edited) {
-	const chosen = chosenLefts(state);
-	if (chosen.length > 0) return chosen;
+	if (chosenLefts(state).length > 0) return listedLefts(state);
 	const left = leftIndexOf(state, edited.match.best, edited.match.rules);
 	return left < 0 ? NONE : [left];
 }
@@ -11369,6 +11651,24 @@ function exchangedDraft({ of, places, side }) {
 			right: places.left
 		},
 		side: otherSide(side)
+	};
+}
+var PLACE = "place";
+function stepsWithDraft({ history, draft }) {
+	return draft === null ? history : recorded(history, PLACE);
+}
+var nameOfStep = (step) => step === "place" ? say("step-of-draft") : nameOfEdit(step);
+function withoutPlace(draft) {
+	const { of, places, side } = draft;
+	const placed = places[side] === null ? otherSide(side) : side;
+	if (of !== null || places[otherSide(placed)] === null) return null;
+	return {
+		...draft,
+		places: {
+			...places,
+			[placed]: null
+		},
+		side: placed
 	};
 }
 function isPredicted(state) {
@@ -11667,6 +11967,7 @@ function mountEdits(host, store, editing, follow) {
 	declareLack([move], () => lackOfSelected(store.state));
 	hasKeys(undo, UNDO_KEYS);
 	hasKeys(redo, REDO_KEYS);
+	const others = new NotListed("not-listed", [reject, restore]);
 	const hint = h("p", {
 		class: "note",
 		testid: "edit-hint"
@@ -11675,23 +11976,19 @@ function mountEdits(host, store, editing, follow) {
 		testid: "edit-compared",
 		role: "status"
 	});
-	const history = h("ol", {
-		class: "history",
-		testid: "history"
-	});
-	const unfold = h("summary", {}, "");
-	const details = h("details", { testid: "history-section" }, unfold, history);
 	const panel = h("section", {
 		class: "edits",
 		testid: "edits",
 		aria: { label: say("edits-by-hand") }
 	});
-	panel.append(h("div", { class: "buttons" }, reject, restore, move, undo, redo), hint, compared, details);
+	panel.append(h("div", { class: "buttons" }, reject, restore, move, undo, redo), others.element, hint, compared);
 	host.append(panel);
 	store.watch((s) => [
 		s.results,
 		s.history,
+		s.draft,
 		s.chosen,
+		s.filter,
 		s.selection,
 		s.before,
 		s.images,
@@ -11705,22 +12002,17 @@ function mountEdits(host, store, editing, follow) {
 		const [off, on] = [editOfChoice(state, "reject"), editOfChoice(state, "restore")];
 		set(reject, `${say("reject")}${several(off)}`, off === null);
 		set(restore, `${say("restore")}${several(on)}`, on === null);
+		others.show(notListed(state));
 		move.disabled = moving(state) === null;
 		const { edits } = state.history;
-		const names = steps(state.history, nameOfEdit);
+		const names = steps(stepsWithDraft(state), nameOfStep);
 		set(undo, names.undo === null ? say("undo") : say("undo-3", { undo: names.undo }), names.undo === null);
 		set(redo, names.redo === null ? say("redo") : say("redo-3", { redo: names.redo }), names.redo === null);
-		undo.hidden = edits.length === 0;
+		undo.hidden = edits.length === 0 && state.draft === null;
 		redo.hidden = names.redo === null;
 		hint.hidden = edits.length > 0 || chosenLefts(state).length > 0;
-		details.hidden = edits.length === 0;
-		unfold.textContent = say("history-2", { edits: edits.length });
 		fill(compared, ...comparison(state));
 	});
-	store.watch(["history"], () => showHistory(history, "", say("as-matched"), store.state.history, nameOfEdit, (done) => store.dispatch({
-		type: "goto",
-		done
-	})));
 }
 var ANGLES = [
 	"omega_deg",
@@ -11767,13 +12059,16 @@ function mountEditTools(host, bar, store, editing) {
 	declareLack([choose], () => lackOfMatches(store.state));
 	sayLacks(store, reject, restore);
 	host.append(h("span", { class: "divider" }), choose, undo, redo);
-	bar.append(reject, restore);
+	const others = new NotListed("tool-not-listed", [reject, restore]);
+	bar.append(reject, restore, others.element);
 	store.watch((s) => [
 		s.tool,
 		s.history,
+		s.draft,
 		s.chosen,
+		s.filter,
 		s.selection,
-		s.results.match
+		s.results
 	], () => {
 		const { state } = store;
 		choose.setAttribute("aria-pressed", String(state.tool === "choose"));
@@ -11784,11 +12079,13 @@ function mountEditTools(host, bar, store, editing) {
 		set(restore, `${say("restore")}${several(on)}`, on === null);
 		reject.hidden = state.tool !== "choose" && state.chosen.length === 0;
 		restore.hidden = reject.hidden || on === null;
-		showSteps(undo, redo, state.history, nameOfEdit);
+		others.show(reject.hidden ? 0 : notListed(state));
+		showSteps(undo, redo, stepsWithDraft(state), nameOfStep);
 	});
 }
+var hasSteps = ({ history, draft }) => history.edits.length > 0 || draft !== null;
 function mountEditKeys(list, store, editing, follow) {
-	undoKeys(() => byId("view").offsetParent !== null && store.state.history.edits.length > 0 && store.state.tool !== "mask" && !marksHaveKeys(store.state), (by) => editing.step(by));
+	undoKeys(() => byId("view").offsetParent !== null && hasSteps(store.state) && store.state.tool !== "mask" && !marksHaveKeys(store.state), (by) => editing.step(by));
 	const move = () => {
 		editing.move();
 		follow();
@@ -12369,6 +12666,109 @@ function leaveWelcome(left) {
 	welcome.hidden = left;
 	if (left && focused) byId("view").focus({ preventScroll: true });
 }
+// www/pair/state/mask-steps.ts
+function compositionOf(given, { edits, done }, side) {
+	let file = given;
+	let areas = [];
+	for (const step of edits.slice(0, done)) {
+		if (step.side !== side) continue;
+		if ("given" in step) [file, areas] = [step.given, []];
+		else areas.push(step);
+	}
+	return {
+		file,
+		areas
+	};
+}
+function areasAfter(now, then) {
+	return now.file === then.file && now.areas.every((area, i) => area === then.areas[i]) ? then.areas.slice(now.areas.length) : null;
+}
+function withGivenMask({ masks, givenMasks, maskSteps }, side, mask) {
+	const given = mask === null ? null : {
+		name: mask.name,
+		source: mask.source
+	};
+	const before = masks[side];
+	const isGiven = (before === null || before.source.kind === "project") && maskSteps.edits.every((step) => step.side !== side) ? {
+		givenMasks: {
+			...givenMasks,
+			[side]: given
+		},
+		maskSteps
+	} : {
+		givenMasks,
+		maskSteps: recorded(maskSteps, {
+			side,
+			given
+		})
+	};
+	return {
+		masks: {
+			...masks,
+			[side]: mask
+		},
+		...isGiven
+	};
+}
+var CORNER$1 = "corner";
+function stepsWithOutline({ maskSteps, outline }) {
+	return outline === null ? maskSteps : recorded(maskSteps, CORNER$1);
+}
+function nameOfMaskStep(step, images) {
+	if (step === "corner") return say("step-of-outline");
+	const image = images[step.side]?.name ?? "";
+	if (!("given" in step)) return say("step-of-mask", {
+		deed: step.masked ? "masked" : "unmasked",
+		mask: "",
+		image
+	});
+	return say("step-of-mask", {
+		deed: step.given === null ? "removed" : "given",
+		mask: step.given?.name ?? "",
+		image
+	});
+}
+// www/pair/panel/history.ts
+var PARTS = [
+	"history",
+	"maskSteps",
+	"markSteps"
+];
+function mountHistory(host, store, go) {
+	const unfold = h("summary", {}, "");
+	const details = h("details", { testid: "history-section" }, unfold);
+	const section = h("div", { class: "edits" }, details);
+	const lists = [
+		listOf(store, "", say("matches-2"), say("as-matched"), "history", nameOfEdit, go.matches),
+		listOf(store, "masks-", say("history-of-masks"), say("masks-as-given"), "maskSteps", nameOfMaskStep, go.masks),
+		listOf(store, "marks-", say("history-of-marks"), say("marks-as-given"), "markSteps", nameOfMarkStep, go.marks)
+	];
+	details.append(...lists.map(({ element }) => element));
+	host.append(section);
+	store.watch(PARTS, (histories) => {
+		const counts = histories.map(({ edits }) => edits.length);
+		const edits = counts.reduce((sum, count) => sum + count, 0);
+		section.hidden = edits === 0;
+		fill(unfold, say("history-2", { edits }));
+		lists.forEach(({ element, title }, i) => {
+			element.hidden = counts[i] === 0;
+			title.hidden = edits === counts[0];
+		});
+	});
+}
+function listOf(store, prefix, name, first, part, nameOf, go) {
+	const list = h("ol", {
+		class: "history",
+		testid: `${prefix}history`,
+		aria: { label: name }
+	});
+	store.watch([part, "images"], ([history, images]) => showHistory(list, prefix, first, history, (step) => nameOf(step, images), go));
+	const title = h("p", { class: "group-label" }, name);
+	return {
+		element: h("div", {}, title, list),
+		title
+	};
+}
 // www/pair/state/histogram.ts
 function quantile(sorted, q) {
 	return sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? NaN;
@@ -12507,65 +12907,8 @@ function chart(title, unit, data, testid) {
 	}));
 	return h("figure", { testid }, h("figcaption", {}, title, h("span", { class: "unit" }, `${suffix} · n = ${count(data.total)}`)), picture, h("div", { class: "scale" }, h("span", {}, significant(data.low)), h("span", {}, say("median", { median: significant(data.median) })), h("span", {}, significant(data.high))));
 }
-// www/pair/state/mask-steps.ts
-function compositionOf(given, { edits, done }, side) {
-	let file = given;
-	let areas = [];
-	for (const step of edits.slice(0, done)) {
-		if (step.side !== side) continue;
-		if ("given" in step) [file, areas] = [step.given, []];
-		else areas.push(step);
-	}
-	return {
-		file,
-		areas
-	};
-}
-function areasAfter(now, then) {
-	return now.file === then.file && now.areas.every((area, i) => area === then.areas[i]) ? then.areas.slice(now.areas.length) : null;
-}
-function withGivenMask({ masks, givenMasks, maskSteps }, side, mask) {
-	const given = mask === null ? null : {
-		name: mask.name,
-		source: mask.source
-	};
-	const before = masks[side];
-	const isGiven = (before === null || before.source.kind === "project") && maskSteps.edits.every((step) => step.side !== side) ? {
-		givenMasks: {
-			...givenMasks,
-			[side]: given
-		},
-		maskSteps
-	} : {
-		givenMasks,
-		maskSteps: recorded(maskSteps, {
-			side,
-			given
-		})
-	};
-	return {
-		masks: {
-			...masks,
-			[side]: mask
-		},
-		...isGiven
-	};
-}
-function nameOfMaskStep(step, images) {
-	const image = images[step.side]?.name ?? "";
-	if (!("given" in step)) return say("step-of-mask", {
-		deed: step.masked ? "masked" : "unmasked",
-		mask: "",
-		image
-	});
-	return say("step-of-mask", {
-		deed: step.given === null ? "removed" : "given",
-		mask: step.given?.name ?? "",
-		image
-	});
-}
 // www/pair/panel/masking.ts
-function mountMasking(host, bar, store, masking, { paint, step }) {
+function mountMasking(host, bar, store, masking, { paint, step, giveUp }) {
 	const tool = button(say("mask-areas"), "tool-mask", () => masking.toggle(), say("outline-areas-in-which-no"));
 	const text = h("span", {
 		testid: "mask-text",
@@ -12586,6 +12929,20 @@ function mountMasking(host, bar, store, masking, { paint, step }) {
 	declareLack([buttons], () => store.state.tool === "mask" ? "" : say("nothing-is-outlined"));
 	host.append(tool);
 	undoKeys(() => byId("view").offsetParent !== null && store.state.tool === "mask" && !marksHaveKeys(store.state), step);
+	const leave = declare({
+		where: say("anywhere-while-masking"),
+		host: buttons,
+		list: [{
+			keys: ["Escape"],
+			does: say("gives-the-outline-up"),
+			can: () => store.state.outline !== null && byId("view").offsetParent !== null,
+			run: giveUp
+		}]
+	});
+	document.addEventListener("keydown", (event) => {
+		if (event.defaultPrevented || event.target instanceof Element && event.target.closest("input, textarea, select, dialog") !== null) return;
+		if (leave(event.key, event.shiftKey)) event.preventDefault();
+	});
 	bar.append(buttons);
 	store.watch((s) => [
 		s.tool,
@@ -12601,7 +12958,7 @@ function mountMasking(host, bar, store, masking, { paint, step }) {
 		buttons.hidden = state.tool !== "mask";
 		mask.disabled = !masking.isArea();
 		unmask.disabled = mask.disabled;
-		showSteps(undo, redo, state.maskSteps, (one) => nameOfMaskStep(one, state.images));
+		showSteps(undo, redo, stepsWithOutline(state), (one) => nameOfMaskStep(one, state.images));
 		keep.disabled = SIDES.every((side) => fileOf(state, side) === null);
 		if (buttons.contains(held)) passFocus(held, [byId("view")]);
 		const corners = state.outline?.corners.length ?? 0;
@@ -13063,171 +13420,6 @@ function label(side, actions) {
 		show
 	};
 }
-// www/pair/state/statistics.ts
-var POSITION = [{
-	key: "x",
-	label: "x",
-	unit: "px",
-	digits: 1,
-	help: say("column-of-the-left-point")
-}, {
-	key: "y",
-	label: "y",
-	unit: "px",
-	digits: 1,
-	help: say("row-of-the-left-point")
-}];
-var MEASURE = {
-	key: "measure",
-	label: say("measure-2"),
-	unit: "",
-	digits: 4,
-	help: say("dissimilarity-of-the-points-by"),
-	total: "mean"
-};
-var CORRELATION = {
-	key: "correlation",
-	label: say("correlation-of-a-match"),
-	unit: "",
-	digits: 4,
-	help: say("correlation-after-least-squares"),
-	total: "mean"
-};
-var FIT = {
-	key: "standard_error",
-	label: "s(x, y)",
-	unit: "px",
-	digits: 3,
-	help: say("standard-error-of-the-right"),
-	total: "rms"
-};
-var ADJUSTED = [
-	{
-		key: "v",
-		label: say("y-parallax"),
-		unit: "px",
-		digits: 3,
-		inPixels: true,
-		help: say("residual-y-parallax-the-distance"),
-		total: "rms"
-	},
-	{
-		key: "r",
-		label: "r",
-		unit: "",
-		digits: 3,
-		help: say("redundancy-number-the-share-of"),
-		total: "sum"
-	},
-	{
-		key: "w",
-		label: "w",
-		unit: "",
-		digits: 2,
-		help: say("w-statistic-standardised-residual-data"),
-		total: "rms"
-	},
-	{
-		key: "detectable",
-		label: "∇",
-		unit: "px",
-		digits: 3,
-		inPixels: true,
-		help: say("minimal-detectable-bias-mdb-across"),
-		total: "mean"
-	},
-	{
-		key: "influence",
-		label: "δ",
-		unit: "",
-		digits: 2,
-		help: say("external-reliability-the-largest-effect"),
-		total: "mean"
-	},
-	{
-		key: "weight",
-		label: say("weight"),
-		unit: "",
-		digits: 2,
-		help: say("weight-in-the-adjustment-0"),
-		total: "mean"
-	},
-	{
-		key: "model_x",
-		label: "X",
-		unit: "mm",
-		digits: 2,
-		ofModel: true,
-		help: say("model-coordinate-at-photo-scale")
-	},
-	{
-		key: "model_y",
-		label: "Y",
-		unit: "mm",
-		digits: 2,
-		ofModel: true,
-		help: say("model-coordinate-at-photo-scale-across")
-	},
-	{
-		key: "model_z",
-		label: "Z",
-		unit: "mm",
-		digits: 2,
-		ofModel: true,
-		help: say("model-coordinate-at-photo-scale-upwards")
-	}
-];
-function worstError(fits, match) {
-	if (5 * match >= fits.length) return NaN;
-	const [xx = NaN, xy = NaN, yy = NaN] = fits.subarray(5 * match + 1, 5 * match + 4);
-	return Math.sqrt(.5 * (xx + yy) + Math.hypot(.5 * (xx - yy), xy));
-}
-var statisticsOf = remember((left, match, orientation, score, pixel) => {
-	const used = match.matches.length / 5;
-	const off = Uint32Array.from(match.rules, (_, left) => left).filter((left) => match.rules[left] === BY_HAND);
-	const count = used + off.length;
-	const lefts = Uint32Array.from({ length: count }, (_, i) => i < used ? match.indices[2 * i] ?? 0 : off[i - used] ?? 0);
-	const at = (i, k) => (i < used ? match.matches[5 * i + k] : left?.[3 * (lefts[i] ?? 0) + k]) ?? NaN;
-	const compared = measuresOf(match);
-	const measure = (i) => {
-		if (i < used) return compared[i] ?? NaN;
-		const [index = 0, own = NaN] = [lefts[i], match.measures[2 * (lefts[i] ?? 0)]];
-		return Number.isFinite(own) && !isPredicted$1(match, index) ? own : NaN;
-	};
-	const figure = ({ key, label, unit, digits, help, ...told }, value) => numbers$2(key, label, unit, digits, value, help, told);
-	const columns = POSITION.map((column, k) => figure(column, (i) => at(i, k)));
-	columns.push(figure(MEASURE, measure));
-	if (!match.fits.every(Number.isNaN)) {
-		if (match.geometry !== null) columns.push(figure(CORRELATION, (i) => match.fits[5 * i] ?? NaN));
-		columns.push(figure(FIT, (i) => worstError(match.fits, i)));
-	}
-	const codes = new Uint8Array(count).fill(BY_HAND);
-	codes.set(matchCodes(match, orientation));
-	if (orientation !== null) {
-		const { points, base_mm: base } = orientation;
-		ADJUSTED.forEach(({ inPixels = false, ofModel = false, digits, ...column }, k) => {
-			const scale = inPixels ? pixel ?? NaN : 1;
-			const shown = ofModel ? decimalsOfError(base / 1e3, digits) : digits;
-			columns.push(figure({
-				...column,
-				digits: shown
-			}, (i) => (points[9 * i + k] ?? NaN) / scale));
-		});
-	}
-	return {
-		count,
-		columns,
-		codes,
-		lefts,
-		rightness: score !== null && score.rightness.length === used ? score.rightness : null
-	};
-});
-function statisticsOfState(state) {
-	const { left, match, orientation, edited } = shownPair(state);
-	if (match === null || edited?.found.counts.matches === 0) return null;
-	const interior = interiorInUse(state)?.left;
-	return statisticsOf(left, match, orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
-}
 // www/pair/panel/feature.ts
 var PIXEL = 3;
 var SIZE = 112 * PIXEL;
@@ -13688,79 +13880,6 @@ function paint(canvas, { width, height, grey }, words) {
 	});
 	canvas.getContext("2d")?.putImageData(pixels, 0, 0);
 }
-// www/pair/state/listed.ts
-var STATES = {
-	[GROSS_ERROR]: say("gross-error"),
-	[BY_HAND]: say("rejected-by-hand-2"),
-	[MANUAL]: say("by-hand")
-};
-var RIGHTNESS = [
-	say("wrong"),
-	say("at-an-edge"),
-	say("correct")
-];
-var columnsOf = remember(({ columns, codes, rightness }) => [
-	{
-		key: "match",
-		label: say("match-2"),
-		unit: "",
-		help: say("number-of-the-match-in"),
-		value: (match) => match + 1,
-		text: (match) => count(match + 1)
-	},
-	...columns,
-	words("state", say("state-2"), (match) => STATES[codes[match] ?? 0] ?? say("used"), say("whether-the-adjustment-used-the")),
-	...rightness === null ? [] : [words("truth", say("truth"), (match) => RIGHTNESS[rightness[match] ?? 0] ?? "", say("whether-the-match-is-right"))]
-]);
-function kindOf(statistics, { kind }) {
-	return kind === "wrong" && statistics?.rightness == null ? "all" : kind;
-}
-function isOf({ codes, rightness }, kind, match) {
-	switch (kind) {
-		case "all": return true;
-		case "used": return codes[match] === MATCHED || codes[match] === MANUAL;
-		case "rejected": return codes[match] === GROSS_ERROR;
-		case "by-hand": return codes[match] === BY_HAND || codes[match] === MANUAL;
-		case "wrong": return rightness?.[match] === 0;
-	}
-}
-var leftOutOf = remember((statistics, filter, match, rights) => {
-	const kind = kindOf(statistics, filter);
-	const meets = maskOf(statistics.count, columnsOf(statistics), filter.conditions);
-	if (kind === "all" && meets === null) return null;
-	const matches = Uint8Array.from({ length: statistics.count }, (_, row) => Number(!isOf(statistics, kind, row) || meets?.[row] === 0));
-	const [left, right] = [new Uint8Array(match.rules.length), new Uint8Array(rights)];
-	const used = match.matches.length / 5;
-	const rightOf = (row) => (row < used ? match.indices[2 * row + 1] : match.best[statistics.lefts[row] ?? -1]) ?? -1;
-	matches.forEach((out, row) => {
-		left[statistics.lefts[row] ?? -1] = out;
-		if (out === 1) right[rightOf(row)] = 1;
-	});
-	matches.forEach((out, row) => {
-		if (out === 0) right[rightOf(row)] = 0;
-	});
-	return {
-		left,
-		right,
-		matches
-	};
-});
-function leftOut(state) {
-	const { filter } = state;
-	if (filter.kind === "all" && Object.keys(filter.conditions).length === 0) return null;
-	const statistics = statisticsOfState(state);
-	const { match, right } = shownPair(state);
-	return statistics === null || match === null ? null : leftOutOf(statistics, filter, match, (right?.length ?? 0) / 3);
-}
-function makeListed() {
-	return remember((codes, out) => out === null ? codes : codes.map((code, i) => out[i] === 1 ? 255 : code));
-}
-var listedPlaces = remember((places, out) => {
-	return out === null ? places : {
-		...places,
-		codes: places.codes.map((code, i) => out.left[places.lefts[i] ?? -1] === 1 ? 255 : code)
-	};
-});
 // www/pair/panel/statistics.ts
 var KINDS = [
 	["all", say("all-matches")],
@@ -14290,22 +14409,22 @@ function mountToolbar(host, store, navigator) {
 	const [vectors, vectorSelect] = vectorChoice("layer-vectors", (vectors) => set({ vectors }));
 	const linked = toggle(say("linked"), "linked", say("pan-and-zoom-both-images"), (on) => set({ linked: on }));
 	const magnifier = toggle(say("magnifier"), "magnifier", say("enlarge-what-is-under-the-pointer"), (on) => set({ magnifier: on }));
-	const light = makeLight("view-", byId("view"), set);
-	const sliders = h("div", {
-		class: "menu",
-		id: "view-light"
-	}, ...light.elements);
 	const unfoldLight = labelled("◐", "view-light", say("brightness-and-contrast"), () => void 0);
-	mountMenu(unfoldLight, sliders);
-	const more = h("div", {
-		class: "more",
-		id: "view-more"
-	}, lines, vectors, h("span", { class: "divider" }), linked, magnifier, labelled("1:1", "zoom-actual", say("n-1-1-one-image-pixel"), () => navigator.actualSize()), h("div", { class: "light" }, unfoldLight, sliders), h("span", { class: "divider" }), labelled("‹", "previous-point", say("previous-point-p"), () => navigator.step(-1)), labelled("›", "next-point", say("next-point-n"), () => navigator.step(1)));
 	const unfold = h("button", {
 		type: "button",
 		class: "menu-button",
 		testid: "view-menu"
 	}, say("view"));
+	const light = makeLight("view-", byId("view"), set, [[unfoldLight, say("brightness-and-contrast")], [unfold, say("view-2")]]);
+	const sliders = h("div", {
+		class: "menu",
+		id: "view-light"
+	}, ...light.elements);
+	mountMenu(unfoldLight, sliders);
+	const more = h("div", {
+		class: "more",
+		id: "view-more"
+	}, lines, vectors, h("span", { class: "divider" }), linked, magnifier, labelled("1:1", "zoom-actual", say("n-1-1-one-image-pixel"), () => navigator.actualSize()), h("div", { class: "light" }, unfoldLight, sliders), h("span", { class: "divider" }), labelled("‹", "previous-point", say("previous-point-p"), () => navigator.step(-1)), labelled("›", "next-point", say("next-point-n"), () => navigator.step(1)));
 	mountMenu(unfold, more);
 	host.append(points, unmatched, h("span", { class: "divider" }), ...zoomButtons("", say("whole-images"), () => navigator), unfold, more);
 	store.watch(["results"], () => {
@@ -14339,6 +14458,11 @@ var Editing = class {
 		});
 	}
 	step(by) {
+		const { draft } = this.store.state;
+		if (draft !== null) {
+			if (by < 0) this.withoutPlace(draft);
+			return;
+		}
 		this.store.dispatch({
 			type: "goto",
 			done: this.store.state.history.done + by
@@ -14468,6 +14592,13 @@ var Editing = class {
 		else if (chosen.length > 0) this.chooseNone();
 		else return false;
 		return true;
+	}
+	withoutPlace(draft) {
+		if (draft.of === null) this.store.dispatch({
+			type: "draft",
+			draft: withoutPlace(draft)
+		});
+		else this.leave();
 	}
 	chooseAll(keys) {
 		if (keys.length > 0) this.store.dispatch({
@@ -14607,7 +14738,7 @@ var Marking = class {
 	step(by) {
 		const { tool, markSteps } = this.store.state;
 		const { edits, done } = markSteps;
-		const step = edits[by < 0 ? done - 1 : done];
+		const step = by === 0 ? void 0 : edits[by < 0 ? done + by : done + by - 1];
 		if (step === void 0) return;
 		this.store.dispatch({
 			type: "marksAfter",
@@ -14780,6 +14911,10 @@ var Masking = class {
 		}));
 	}
 	step(by) {
+		if (this.store.state.outline !== null) {
+			if (by < 0) this.back();
+			return Promise.resolve();
+		}
 		if (this.going !== null) {
 			this.going.by += by;
 			return this.painting;
@@ -14790,6 +14925,10 @@ var Masking = class {
 			if (this.going === going) this.going = null;
 			return this.went(going.by);
 		});
+	}
+	goTo(done) {
+		this.going = null;
+		return this.next(() => this.went(done - this.store.state.maskSteps.done));
 	}
 	next(job) {
 		this.painting = this.painting.catch(() => {}).then(job);
@@ -15677,6 +15816,7 @@ function pictureKeys(view, store, navigator, editing, masking) {
 		navigator.followDraft();
 		if (store.state.tool === "measure") view.takeKeys();
 	};
+	const isBegun = () => lackOfBegun(store.state) === "";
 	const leave = () => {
 		if (!editing.leave()) navigator.select(null);
 	};
@@ -15756,6 +15896,7 @@ function pictureKeys(view, store, navigator, editing, masking) {
 		{
 			keys: ["Escape"],
 			does: say("gives-up-or-selects-nothing"),
+			can: isBegun,
 			lacks: () => lackOfBegun(store.state),
 			run: leave
 		}
@@ -16507,7 +16648,8 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 	});
 	mountMasking(byId("view-more"), byId("toolbar"), store, masking, {
 		paint,
-		step: stepMasks
+		step: stepMasks,
+		giveUp: () => void editing.leave()
 	});
 	mountMarking(byId("toolbar"), store, marking);
 	await breath();
@@ -16544,6 +16686,14 @@ async function mountPair(catalogue, { openProject, toBlock, toGround, sampleBloc
 	}));
 	declareLack([matches], () => lackOfMatches(store.state));
 	mountEdits(matches, store, editing, measured);
+	mountHistory(matches, store, {
+		matches: (done) => store.dispatch({
+			type: "goto",
+			done
+		}),
+		masks: (done) => void attempt(() => masking.goTo(done)),
+		marks: (done) => marking.step(done - store.state.markSteps.done)
+	});
 	mountEditKeys(matches, store, editing, measured);
 	mountStatistics(matches, store, editing, (side, index) => navigator.select({
 		side,
@@ -17766,14 +17916,41 @@ var LateKeepable = class {
 		this.part?.clear();
 	}
 };
+// www/shared/panel/about-dialog.ts
+function aboutDialog(name, { CRATES, LICENCES }) {
+	const heading = h("h2", { id: "about-heading" }, name);
+	const dialog = h("dialog", {
+		class: "dialog",
+		testid: "about-dialog",
+		aria: { labelledby: heading.id }
+	});
+	const holds = LICENCES.map(({ name: of, version, licence, text }) => licenceOf(`licence-${of}`, `${of} ${version} (${licence})`, text));
+	const crates = CRATES.crates.map(({ name: of, version, licence, text }) => licenceOf(`crate-${of}-${version}`, `${of} ${version} (${licence})`, CRATES.texts[text] ?? ""));
+	const close = button(say("close-2"), "about-close", () => dialog.close());
+	dialog.append(h("div", { class: "dialog-head" }, heading, close), h("p", {}, say("matches-and-orients-overlapping-photographs")), h("h3", {}, say("the-page-holds")), ...holds, h("h3", {}, say("its-module-holds")), h("details", {
+		class: "group",
+		testid: "crates"
+	}, h("summary", {}, say("so-many-crates", { crates: crates.length })), ...crates));
+	return dialog;
+}
+function licenceOf(testid, title, text) {
+	const [name, own] = [h("bdi", {}, title), h("pre", { class: "licence" }, text)];
+	for (const part of [name, own]) Object.assign(part, {
+		lang: "en",
+		dir: "ltr"
+	});
+	return h("details", {
+		class: "group",
+		testid
+	}, h("summary", {}, name), own);
+}
 // www/shared/panel/version.ts
 function nameVersion(press, version) {
 	const name = `Tiepoint ${version}`;
 	press.textContent = name;
 	press.title = say("version-and-licences");
 	const dialog = new LatePart(async () => {
-		const { aboutDialog } = await loadPart("about.js", () => __vitePreload(() => import("./about.js"), [], import.meta.url));
-		const made = aboutDialog(name);
+		const made = aboutDialog(name, await loadPart("about.js", () => __vitePreload(() => import("./about.js"), [], import.meta.url)));
 		document.body.append(made);
 		return made;
 	});
@@ -18251,4 +18428,4 @@ async function loadBlock(catalogue, pair, elsewhere) {
 	});
 	return block;
 }
-export { ACCEPTED, Archive, BY_HAND, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, OWN_LIGHT, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, csvOf, declare, declareLack, declarePlace, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, fitted$2 as fitted$1, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior$1 as interior, inverse, isCurrent, isHidden, isMeasured$1 as isMeasured, isMode, isNothing, isOpen, isWhole$1 as isWhole, isWorthKeeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, mapped, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placesByHand, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf, startProgram, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, whenInSight, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
+export { ACCEPTED, Archive, BY_HAND, CANDIDATE, CallError, Cancelled, EPIPOLAR, GEO_KEYS, Holder, IMAGE_FILE, Journal$1 as Journal, Layers, MASK_SIDE, MEASURED, MODEL_TYPE, NO_HISTORY, NotListed, OWN_LIGHT, OWN_SETTINGS, PointGrid, REDO_KEYS, REJECTED$1 as REJECTED, REJECTED_BY_HAND, RESIDUAL, RESIDUAL_REJECTED, SCALE, SELECTED, SHAPES, SIDES, TIES, TRANSFORMATION, Table, UNDO_KEYS, WorkerClient, WorkerPool, acting_block_parameters, affine, answerCard, asGiven, beforeSearch, block_flight_parameters, block_flight_preset, block_parameters, block_settings, breakdownOf, breath, byKeys, byReason, call_parameters, cameraFrom, carried_steps, check_cameras, check_control, check_geoid, choice, clamped, contains, crosshair, crossing, declare, declareLack, declarePlace, doHere, doneFrom, drawCross, drawExpected, drawLine, drawView, draw_points, draw_vectors, drawerButton, facts, fieldsOf, fileButton, film_cameras, film_measurements, film_pattern, firstNamed, fitView, fitted$1 as fitted, fitted$2 as fitted$1, geoKeys, geographic_positions, halfSize, hasData, hasKeys, image_measurement_table, inPane, interior$1 as interior, inverse, isCurrent, isHidden, isMeasured$1 as isMeasured, isMode, isNothing, isOpen, isWhole$1 as isWhole, isWorthKeeping, keeping$1 as keeping, kindsText, labelled, lensFrame, lensRect, lensTransform, likeOf, lineSwatch, listOf$1 as listOf, listen, listenKeys, local_positions, makeFolded, makeLight, makeNear, makeSections, mapped, maskOf, masks_of_images, message, messageOf, mountMenu, movedWith, nameOf$1 as nameOf, namesText, numberInput, numbers$2 as numbers, objectOf, ofLine, onLine, optionInLanguage, orNull, orient_fiducials, otherSide, paintBitmap, panned, parse_camera, parse_camera_rules, parse_fiducials, parse_ground_control_points, parse_image_measurements, parse_image_positions, passFocus, photo_camera, placeOfLeft, placeOfMark, placed_tables, placesByHand, placing_defaults, placing_parameters, positionFrom, positions_of_images, problemLine, readable, recorded, refusedKinds, remember, rememberCalibrations, resized, reveal, reveal$1, ring, roundedPx, save, saveCsv, set, setDrawer, settingsText, showHistory, showIn, showSteps, showTab, shownPair, sidewaysNote, smooth, sortRasters, standingOf, startProgram, swatch, system_coordinates, system_positions, tabbed, takeHere, targetOfLeft, textIn, tiffDirectory, titleOf, toCanvas, toPosition, toggle, transformOf, typed, uncoverPictures, undoKeys, unfolded, unitText, unlessLeft, vectorChoice, visiblePart, wantedLevel, watchDrawers, watchSideways, wentTo, whenInSight, withCoordinatesOf, withSetting, withUnit, within, words, zoomButtons, zoomed, zoomedAbout };
