@@ -1,4 +1,4 @@
-/** Blocks in the system of an orthophoto of which much has changed, beside their truth; photos of other towns, none of which may be placed. */
+/** Blocks in the system of an orthophoto of which much has changed, beside their truth, and photos of other towns, none of which may be placed; then blocks on heights that are off. */
 
 import { example } from './example.mjs';
 import { numberOption } from './options.mjs';
@@ -6,4 +6,6 @@ import { numberOption } from './options.mjs';
 export async function orthophoto() {
   console.log('Simulated blocks on an orthophoto years later (native, two threads)');
   await example('orthophoto_block', '1', String(numberOption('seeds', 3)));
+  console.log('Simulated blocks with precise GNSS positions, on heights that are off (native, two threads)');
+  await example('orthophoto_heights', '1', String(numberOption('seeds', 3)));
 }
