@@ -15,11 +15,17 @@ import { mountDrop } from './shared/files/drop';
 import { sayDocument, showDocument } from './shared/panel/language';
 import { say } from './shared/text/words';
 
-/** Resolves once what the document holds is drawn: what is fetched from then on, and runs, does not hold the first view up. A page out of sight draws nothing. */
+/** A page that is out of sight may draw no frame, whatever its document says of that: it is not waited for longer than this. */
+const LONGEST_WAIT_MS = 1000;
+
+/** Resolves once what the document holds is drawn: what is fetched from then on, and runs, does not hold the first view up. */
 function firstView(): Promise<void> {
   return new Promise((drawn) => {
     if (document.hidden) drawn();
-    else requestAnimationFrame(() => window.setTimeout(drawn));
+    else {
+      requestAnimationFrame(() => window.setTimeout(drawn));
+      window.setTimeout(drawn, LONGEST_WAIT_MS);
+    }
   });
 }
 

@@ -41,6 +41,17 @@ test('a first view loads no block, no licences and one language; they come when 
   }
 });
 
+test('it starts where no frame is drawn, as in a frame of another page that is out of sight', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await page.addInitScript(() => {
+    window.requestAnimationFrame = () => 0;
+  });
+  await page.reload();
+  await page.waitForFunction(() => /^Ready/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''), null, { polling: 100, timeout: 60_000 });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('a part that cannot be had is said, and tried again', { skip: SKIP }, async () => {
   const { page, close } = await open();
   await says(page, 'status', /^Ready/);
