@@ -90,6 +90,8 @@ test('plots show what is known, and choose what their values are about', () => {
   const residuals = plotOf('residuals', VIEW, FACTS);
   assert.deepEqual(residuals.choice(1), { kind: 'observation', point: 0, image: 2 });
   assert.deepEqual([0, 1].map(residuals.chosen({ kind: 'observation', point: 0, image: 2 })), [false, true]);
+  const several = { kind: 'observations', points: Uint32Array.of(0, 1), images: Uint32Array.of(2, 0) };
+  assert.deepEqual([0, 1].map(residuals.chosen(several)), [false, true]);
   assert.deepEqual([0, 1].map(residuals.chosen(null)), [false, false]);
   assert.deepEqual(plotOf('sigma-plan', VIEW, FACTS).together([0, 1]), { kind: 'points', points: Uint32Array.of(0, 1) });
 });

@@ -9,6 +9,7 @@ import { normalQuantiles } from './normal';
 import { pointColumn, surveyedAt } from './point-kinds';
 import { headOf, pointCoordinates, resultSystem, unitOn } from './result-system';
 import { unitOf } from './scale';
+import { among } from './observations';
 import { choiceOfImages, choiceOfPoints, imagesOf, pointsOf } from './selection';
 import type { Choice } from './selection';
 import type { BlockView } from './view';
@@ -269,6 +270,10 @@ function ofObservations(
     ...drawn,
     choice: (value) => ({ kind: 'observation', point: pointAt(value), image: imageAt(value) }),
     chosen: (choice) => {
+      if (choice?.kind === 'observations') {
+        const isOne = among(choice);
+        return (value) => isOne(pointAt(value), imageAt(value));
+      }
       const [points, images] = [new Set(pointsOf(choice)), new Set(imagesOf(choice))];
       return (value) => (points.size === 0 || points.has(pointAt(value))) && (images.size === 0 || images.has(imageAt(value))) && points.size + images.size > 0;
     },
