@@ -228,7 +228,10 @@ test('a block becomes an orthomosaic, on which its photos are placed again', () 
   // A block that nothing places has no metres.
   json('block', join(block, 'photos'), '--out', join(block, 'free'), '--features', '3000', '--gps', 'ignore');
   const free = json('mosaic', join(block, 'free', 'project.tiepoint'), join(block, 'photos'), '--out', join(block, 'free', 'mosaic.tif'));
-  assert.deepEqual([free.remark.kind, /neither GNSS positions nor control points.* lengths are no metres/.test(free.remark.text)], ['mosaic_without_place', true]);
+  assert.deepEqual(
+    [free.remark.kind, /neither GNSS positions nor control points.* lengths are no metres/.test(free.remark.text)],
+    ['mosaic_without_place', true],
+  );
   const placed = json('place', join(block, 'photos', 'photo_00001.png'), '--orthophoto', picture, '--level', '0', '--points', '3000');
   assert.notEqual(placed.images[0].verdict.kind, 'not_placed', JSON.stringify(placed.images[0].verdict));
   // On the heights of the block's own tie points, too.
