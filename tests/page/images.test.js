@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { block, photoFolder, status } from './blocks.js';
+import { block, photoFolder, status, undoIs } from './blocks.js';
 import { done, hosted, part, saved, says, SHOTS, SKIP } from './page.js';
 
 hosted('/images/');
@@ -165,6 +165,22 @@ test('a tie point that was chosen before the images were first shown opens at th
   await status(page, /Matched in [23] of [23] images\. Enter accepts\./);
   await page.keyboard.press('Escape');
   await says(page, 'block-edit-text', /^$/);
+  // In the active image alone it is matched by another one that has it, from wherever it was moved.
+  const shown = await panes(page).locator('.pane-name span').allTextContents();
+  await page.keyboard.press('e');
+  await page.keyboard.press('o');
+  await page.keyboard.press('Shift+ArrowRight');
+  await page.keyboard.press('Shift+F');
+  await status(page, new RegExp(`Matched in ${shown[1]} by ${shown[0]}\\. Enter accepts\\.$`));
+  await says(page, 'block-edit-text', /: placed in 1 image\b/);
+  await page.keyboard.press('Escape');
+  await says(page, 'block-edit-text', /^$/);
+  await part(page, 'block-match-alone').click();
+  await status(page, /Matched in photo_\d+\.png by photo_\d+\.png\. Enter accepts\.$/);
+  await page.keyboard.press('Enter');
+  await undoIs(page, /^Undo: match 1 observation in photo_\d+\.png/);
+  await page.keyboard.press('Control+z');
+  await undoIs(page, /^(?!Undo: match)/);
   // In low panes, as many images have, nothing lies over the point in the middle.
   for (const height of [124, 64]) {
     await page.evaluate((px) => {

@@ -34,6 +34,7 @@ import { lackOfBlock } from '../state/lacks';
 export interface Measures {
   toggle: (anew: boolean) => void;
   match: () => void;
+  matchAlone: () => void;
 }
 
 function makeStep(store: BlockStore, edits: readonly BlockEdit[] | null): void {
@@ -144,6 +145,15 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     },
     say('match-the-point-in-the'),
   );
+  const alone = button(
+    say('match-here'),
+    'block-match-alone',
+    () => {
+      measures()?.matchAlone();
+      toImages();
+    },
+    say('match-the-point-here'),
+  );
   const accept = button(say('accept'), 'block-accept', () => store.dispatch({ type: 'accept', leaves: false }), say('the-point-is-measured-enter'));
   const leave = button(say('cancel'), 'block-leave', () => store.dispatch({ type: 'draft', draft: null }), say('give-what-is-measured-up'));
   const [use, useSelect] = choice(say('use-as'), 'block-use', USES, (value) => {
@@ -156,7 +166,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
   const bar = h(
     'div',
     { class: 'toolbar edit-bar', testid: 'block-edit-bar', role: 'toolbar', aria: { label: say('edits-by-hand') } },
-    ...[undo, redo, reject, whole, restore, remove, notListed.element, joining, parting, measure, add, match, accept, leave, use, text],
+    ...[undo, redo, reject, whole, restore, remove, notListed.element, joining, parting, measure, add, match, alone, accept, leave, use, text],
   );
   for (const [made, lack] of [
     [reject, say('nothing-to-reject-is-chosen')],
@@ -167,6 +177,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     [parting, say('no-point-to-split')],
     [measure, say('no-point-is-chosen')],
     [match, say('no-point-is-chosen')],
+    [alone, say('no-point-is-chosen')],
   ] as const)
     declareLack([made], () => lackOfBlock(store.state) || lack);
   declareLack([accept, leave], () => (store.state.draft === null ? say('nothing-is-measured') : ''));
@@ -212,6 +223,7 @@ export function mountEditBar(store: BlockStore, facts: Facts, measures: () => Me
     joining.hidden = drafting || toJoin(state, facts) === null;
     parting.hidden = drafting || !inImages || splitOf(state, facts) === null;
     match.hidden = !inImages || ((measure.disabled || given) && !drafting);
+    alone.hidden = match.hidden || state.shown === null || shownImages(state.panes, state.shown.view).length < 2;
     accept.hidden = !drafting;
     accept.disabled =
       state.draft === null || stepOfDraft(state.draft, state.shown?.view.images.map(({ name }) => name) ?? [], state.history.done, addedIn(state)) === null;

@@ -65,6 +65,7 @@ export function imagesView(engine: BlockEngine, placing: PlacingEngine, facts: F
           host.focus();
         },
         match: () => view.match(),
+        matchAlone: () => view.matchAlone(),
       });
       view.watch(() => {
         setText(place, placeText(store, view));

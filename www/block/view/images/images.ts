@@ -151,6 +151,11 @@ export class ImagesView implements Commanded {
     void this.measuring.match(this.seen.active()).then(() => this.opening.showDraft());
   }
 
+  /** Matches it in the active image alone, by another one that is shown. */
+  matchAlone(): void {
+    void this.measuring.matchAlone(this.seen.active()).then(() => this.opening.showDraft());
+  }
+
   private changed(): void {
     this.lay();
     this.layers.redraw();

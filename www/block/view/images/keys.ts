@@ -15,6 +15,7 @@ export interface Commanded {
   moving: Moving;
   opening: Opening;
   match: () => void;
+  matchAlone: () => void;
   step: (by: 1 | -1) => void;
   turn: (by: 1 | -1) => void;
   other: () => void;
@@ -60,7 +61,7 @@ export function measuringKeys(view: Commanded): Command[] {
   return [
     { keys: ['e'], does: say('measures-the-chosen-point'), lacks: lacksPoint, run: shown(() => measuring.toggle(false)) },
     { keys: ['a'], does: say('measures-a-new-tie-point'), run: shown(() => measuring.toggle(true)) },
-    { keys: ['f'], does: say('matches-the-point-in-the'), lacks: lacksPlace, run: shown(() => view.match()) },
+    { keys: ['f'], does: say('matches-the-point-in-the'), lacks: lacksPlace, run: shown((shift) => (shift ? view.matchAlone() : view.match())) },
     { keys: ['Escape'], does: say('gives-up-measuring'), can: places, run: shown(() => measuring.leave()) },
     { keys: ['Enter'], does: say('takes-the-middle-of-the'), can: places, run: inPane(settle) },
     ...Object.entries(ARROWS).map(nudge),

@@ -4,7 +4,6 @@ import type { Position } from '../../../shared/state/pane';
 import { Cancelled } from '../../../shared/engine/client';
 import type { BlockEngine, BlockStore } from '../../engine/engine';
 import type { Facts } from '../../engine/facts';
-import type { Turn } from '../../engine/match';
 import { begun, isGiven, placed } from '../../state/draft';
 import type { Draft } from '../../state/edited';
 import { editsInForce, isEditable } from '../../state/editing';
@@ -16,17 +15,15 @@ import { addedPoints } from '../../state/added';
 import { pointsOf } from '../../state/selection';
 import { isOn } from './scene';
 import type { Pane } from './scene';
+import { turnOf } from './turn';
 import { say } from '../../../shared/text/words';
 import { messageOf } from '../../../shared/text/messages';
 
-/** How far apart places are that say how one image lies to another, px. */
-const STEP = 20;
 /** Of a point that is placed in many images, the lines of the latest are drawn. */
 const MOST_LINES = 2;
 /** Images that are named one by one. */
 const MOST_NAMES = 3;
 const NOWHERE: ReadonlyMap<number, Position> = new Map();
-const STRAIGHT: Turn = [1, 0, 0, 1];
 
 export class Measuring {
   private matching = false;
@@ -179,32 +176,52 @@ export class Measuring {
 
   /** Moves the point in the other images to where least squares matching finds it by its place in one of them. */
   async match(from: Pane | null): Promise<void> {
-    if (this.draft === null) this.toggle(false);
-    const at = from === null ? null : this.placeIn(from);
-    if (this.matching || this.draft === null || from?.file == null || at === null) return;
-    this.matching = true;
-    const { draft } = this;
-    const names = new Map(this.store.state.shown?.view.images.map(({ name }, image) => [image, name]));
-    this.tell('busy', say('matching-in-the-other-images', { image: names.get(from.image) ?? '' }));
-    try {
-      const left = await this.engine.window(from.file.file, at, null);
-      const others = this.panes().filter((pane) => pane.image !== from.image && pane.file !== null);
+    await this.matched(from, 'matching-in-the-other-images', async (of, at, file) => {
+      const left = await this.engine.window(file, at, null);
+      const others = this.panes().filter((pane) => pane.image !== of.image && pane.file !== null);
       const found = await Promise.all(
         others.map(async (pane) => {
           const near = this.placeIn(pane);
           if (near === null || pane.file === null) return null;
-          const place = await this.engine.matched(left, pane.file.file, near, turnOf(from, pane, at));
+          const place = await this.engine.matched(left, pane.file.file, near, turnOf(of, pane, at));
           return { pane, place };
         }),
       );
-      // The user has gone on to something else.
-      if (this.draft === draft)
+      return () =>
         this.take(
-          from,
+          of,
           at,
           found.filter((one) => one !== null),
-          names,
         );
+    });
+  }
+
+  /** Moves the point in one image alone to where least squares matching finds it by another image that is shown and has it: by the first that confirms it. */
+  async matchAlone(to: Pane | null): Promise<void> {
+    await this.matched(to, 'matching-in-one-image', async (of, near, file) => {
+      const others = this.others(of);
+      for (const { pane, at, source } of others) {
+        const left = await this.engine.window(source, at, null);
+        const place = await this.engine.matched(left, file, near, turnOf(pane, of, at));
+        if (place !== null) return () => this.takeAlone(of, place, pane);
+      }
+      const done = others.length === 0 ? say('no-other-has-the-point') : say('no-match-is-confirmed-in', { done: '', where: this.nameOf(of) }).trim();
+      return () => this.tell('info', done);
+    });
+  }
+
+  /** Does what matches the chosen or measured point by its place in an image. `job`: gives what takes its outcome, where the point is still the same. */
+  private async matched(pane: Pane | null, busy: string, job: (pane: Pane, at: Position, file: Blob) => Promise<() => void>): Promise<void> {
+    if (this.draft === null) this.toggle(false);
+    const at = pane === null ? null : this.placeIn(pane);
+    if (this.matching || this.draft === null || pane?.file == null || at === null) return;
+    this.matching = true;
+    const { draft } = this;
+    this.tell('busy', say(busy, { image: this.nameOf(pane) }));
+    try {
+      const take = await job(pane, at, pane.file.file);
+      // The user has gone on to something else.
+      if (this.draft === draft) take();
       else if (this.store.state.notice?.kind === 'busy') this.store.dispatch({ type: 'notice', notice: null });
     } catch (error) {
       if (error instanceof Cancelled) this.tell('info', say('cancelled-nothing-was-matched'));
@@ -213,13 +230,33 @@ export class Measuring {
     this.matching = false;
   }
 
-  private take(from: Pane, at: Position, found: readonly { pane: Pane; place: Position | null }[], names: ReadonlyMap<number, string>): void {
+  /** The other images that are shown and have the point, those first in which it is placed now. */
+  private others(than: Pane): { pane: Pane; at: Position; source: Blob }[] {
+    const places = this.draft?.places;
+    const all = this.panes().flatMap((pane) => {
+      const at = places?.get(pane.image)?.at ?? this.measured(pane.image);
+      return pane.image === than.image || pane.file === null || at === null ? [] : [{ pane, at, source: pane.file.file }];
+    });
+    const isPlaced = ({ pane }: { pane: Pane }) => places?.has(pane.image) === true;
+    return [...all.filter(isPlaced), ...all.filter((one) => !isPlaced(one))];
+  }
+
+  private nameOf({ image }: Pane): string {
+    return this.store.state.shown?.view.images[image]?.name ?? '';
+  }
+
+  private takeAlone(pane: Pane, place: Position, by: Pane): void {
+    if (this.draft !== null) this.set(placed(this.draft, pane.image, place, pane, 'least_squares'));
+    this.tell('info', say('matched-in-one-image', { image: this.nameOf(pane), by: this.nameOf(by), what: say('enter-accepts') }));
+  }
+
+  private take(from: Pane, at: Position, found: readonly { pane: Pane; place: Position | null }[]): void {
     if (this.draft === null) return;
     // Of a new point the place that the others are matched to is one of its own.
     const isNew = this.draft.of === null || (isGiven(this.draft.of) && this.measured(from.image) === null);
     const own = isNew ? placed(this.draft, from.image, at, from) : this.draft;
     this.set(found.reduce((draft, { pane, place }) => (place === null ? draft : placed(draft, pane.image, place, pane, 'least_squares')), own));
-    const lost = found.filter(({ place }) => place === null).map(({ pane }) => names.get(pane.image) ?? '');
+    const lost = found.filter(({ place }) => place === null).map(({ pane }) => this.nameOf(pane));
     const count = found.length - lost.length;
     const done = say('matched-in-of-images', { count, found: found.length, what: count > 0 ? say('enter-accepts') : '' }).trim();
     const where = lost.length > MOST_NAMES ? say('images-4', { lost: lost.length }) : lost.join(', ');
@@ -251,18 +288,4 @@ export class Measuring {
 
 function placesOf(draft: Draft): ReadonlyMap<number, Position> {
   return new Map([...draft.places].map(([image, { at }]) => [image, at]));
-}
-
-/** How steps in one image lie in another, by the points around a place that both show. */
-function turnOf(from: Pane, to: Pane, [x, y]: Position): Turn {
-  const { points: own } = from;
-  const { points: other } = to;
-  if (own === null || other === null) return STRAIGHT;
-  const [middle, across, down] = [
-    [x, y],
-    [x + STEP, y],
-    [x, y + STEP],
-  ].map(([u = 0, v = 0]) => inOtherImage(own, other, [u, v]));
-  if (middle == null || across == null || down == null) return STRAIGHT;
-  return [(across[0] - middle[0]) / STEP, (across[1] - middle[1]) / STEP, (down[0] - middle[0]) / STEP, (down[1] - middle[1]) / STEP];
 }

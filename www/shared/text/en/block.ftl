@@ -226,6 +226,8 @@ split = Split
 the-point-is-two-one = The point is two: one of the observations in the images that are shown, one of the others. Close the images that show another point
 match-it = Match
 match-the-point-in-the = Match the point in the other images by least squares (F)
+match-here = Match here
+match-the-point-here = Match the point in the active image alone, by another one that is shown, by least squares (Shift+F)
 the-point-is-measured-enter = The point is measured (Enter)
 give-what-is-measured-up = Give what is measured up (Escape)
 use-as = Use
@@ -1174,7 +1176,7 @@ images-of-a-block = Images of a block
 
 measures-the-chosen-point = measures the chosen point
 measures-a-new-tie-point = measures a new tie point
-matches-the-point-in-the = matches the point in the other images by least squares
+matches-the-point-in-the = matches the point in the other images by least squares; with Shift in the active image alone, by another one
 gives-up-measuring = gives up measuring
 takes-the-middle-of-the = takes the middle of the pane, then the expected place, then accepts the point
 chooses-the-next-tie-point = chooses the next tie point of the active image
@@ -1189,6 +1191,9 @@ shows-images-in-which-the = shows images in which the point is not measured
 ## view/images/measuring
 
 matching-in-the-other-images = Matching in the other images by { $image } …
+matching-in-one-image = Matching in { $image } …
+matched-in-one-image = Matched in { $image } by { $by }. { $what }
+no-other-has-the-point = Not matched: no other image that is shown has the point.
 cancelled-nothing-was-matched = Cancelled. Nothing was matched.
 not-matched = Not matched: { $error }.
 enter-accepts = Enter accepts.
