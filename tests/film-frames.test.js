@@ -280,6 +280,32 @@ test('frames of a second film have their own camera beside that of the first, wh
   );
 });
 
+test('images of two films are undone together, and done again, after a reload too', async () => {
+  const { store, take } = taking();
+  await take({ 'a.png': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS });
+  const measured = { kind: 'measure', marks: [{ image: 'a.png', point: 'P1', x_px: 130, y_px: 90 }], after: 0 };
+  store.dispatch({ type: 'restored', restored: { ...store.state, marks: { edits: [measured], done: 1 }, draft: null } });
+  await page.frames.takeFrames(store, engine, () => {});
+  await take({ 'c.png': SCAN, 'film.json': '{"focal_mm": 304}', 'c.csv': FIDUCIALS });
+  await page.frames.takeFrames(store, engine, () => {});
+  const names = () => store.state.files.map((/** @type {{ name: string }} */ { name }) => name);
+  const { marks, options } = store.state;
+  const kept = page.keep_steps.keptMarkSteps((/** @type {any} */ { id }) => ({ id }))(marks);
+  const files = new Map(page.keep_steps.filesOfSteps(marks).map((/** @type {any} */ one) => [one.id, one]));
+  const reloaded = page.keep_steps.markStepsFrom(structuredClone(kept), (/** @type {any} */ { id }) => files.get(id));
+  for (const steps of [marks, reloaded]) {
+    store.dispatch({ type: 'restored', restored: { ...store.state, marks: steps, draft: null } });
+    store.dispatch({ type: 'gotoMark', done: 0 });
+    assert.deepEqual(names(), ['a.png', 'c.png']);
+    assert.deepEqual(store.state.marks.edits[0], measured);
+    assert.deepEqual([store.state.options.cameras, store.state.options.masks], [null, []]);
+    store.dispatch({ type: 'gotoMark', done: 3 });
+    assert.deepEqual(names(), ['a-film.png', 'c-film2.png']);
+    assert.deepEqual(store.state.marks.edits[0], marks.edits[0]);
+    assert.deepEqual(store.state.options, options);
+  }
+});
+
 test('a scan whose image is there is refused before anything is changed', async () => {
   const { store, take } = taking();
   await take({ 'a.png': SCAN, 'film.json': CAMERA, 'a.csv': FIDUCIALS });

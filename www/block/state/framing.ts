@@ -11,9 +11,9 @@ import { withoutRunUnderWay } from './state';
 import type { BlockOptions, BlockState } from './state';
 import type { History } from '../../shared/state/history';
 
-/** The places of such steps that hold by one history and not by the other. */
-function between({ edits }: History<MarkStep>, from: number, to: number): FramesStep[] {
-  return edits.slice(from, to).filter(isFramesStep);
+/** The places of such steps from one place of a history on, as far as another. */
+function between({ edits }: History<MarkStep>, from: number, to: number): number[] {
+  return edits.flatMap((step, at) => (at >= from && at < to && isFramesStep(step) ? [at] : []));
 }
 
 /** Whether scans are in the place of their images, or these in place of the scans, by one history and not by another that has as many steps. */
@@ -26,20 +26,23 @@ export function withFrames(state: BlockState, before: number): BlockState {
   const { marks } = state;
   const back = between(marks, marks.done, before).reverse();
   const again = between(marks, before, marks.done);
-  const undone = back.reduce((now, step) => exchanged(now, step, step.frames, step.scans), state);
-  return again.reduce((now, step) => exchanged(now, step, step.scans, step.frames), undone);
+  const undone = back.reduce((now, at) => exchanged(now, at, ({ scans, frames }) => [frames, scans]), state);
+  return again.reduce((now, at) => exchanged(now, at, ({ scans, frames }) => [scans, frames]), undone);
 }
 
-/** What was given meanwhile stays. */
-function exchanged(state: BlockState, step: FramesStep, from: Framing, into: Framing): BlockState {
+/** By the step at a place: one after it may have put another in that place, which is the same but for its object. What was given meanwhile stays. */
+function exchanged(state: BlockState, at: number, of: (step: FramesStep) => [from: Framing, into: Framing]): BlockState {
   const { files, removed, options, placing, marks } = state;
+  const step = marks.edits[at];
+  if (step === undefined || !isFramesStep(step)) return state;
+  const [from, into] = of(step);
   return {
     ...state,
     files: imagesAfter(files, from, into),
     removed: without(removed, from.images),
     options: { ...options, ...optionsAfter(options, from, into) },
     placing: { ...placing, film: filmAfter(placing.film, from.film, into.film) },
-    marks: { ...marks, edits: stepsAfter(marks.edits, marks.edits.indexOf(step), into.steps) },
+    marks: { ...marks, edits: stepsAfter(marks.edits, at, into.steps) },
     running: withoutRunUnderWay(state.running),
   };
 }
