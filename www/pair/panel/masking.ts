@@ -1,7 +1,7 @@
 /** While areas of the pictures are masked: what to do next, and buttons for each key. */
 import { button, byId, h } from '../../shared/panel/dom';
 import { passFocus } from '../../shared/panel/focus';
-import { showSteps, undoKeys } from '../../shared/panel/history';
+import { hasOwnUndo, showSteps, undoKeys } from '../../shared/panel/history';
 import { declare } from '../../shared/view/commands';
 import { save } from '../../shared/files/save';
 import { say } from '../../shared/text/words';
@@ -55,7 +55,8 @@ export function mountMasking(host: HTMLElement, bar: HTMLElement, store: Store, 
     list: [{ keys: ['Escape'], does: say('gives-the-outline-up'), can: () => store.state.outline !== null && byId('view').offsetParent !== null, run: giveUp }],
   });
   document.addEventListener('keydown', (event) => {
-    if (event.defaultPrevented || (event.target instanceof Element && event.target.closest('input, textarea, select, dialog') !== null)) return;
+    // A list of choices that is unfolded is folded by it.
+    if (event.defaultPrevented || hasOwnUndo(event.target) || (event.target instanceof Element && event.target.closest('select') !== null)) return;
     if (leave(event.key, event.shiftKey)) event.preventDefault();
   });
   bar.append(buttons);

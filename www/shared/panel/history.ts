@@ -78,6 +78,10 @@ export function showHistory<E>(
   if (focused) host.querySelector<HTMLElement>('[aria-current]')?.focus({ preventScroll: true });
 }
 
+/** Fields in which text is typed have an undo of their own, not sliders and checkboxes, which keep the keyboard once they are set. Dialogs lie over what is undone. */
+export const hasOwnUndo = (target: EventTarget | null): boolean =>
+  target instanceof Element && target.closest('input:not([type="range"], [type="checkbox"], [type="radio"]), textarea, dialog') !== null;
+
 /** Undo and redo by their keys, wherever the keyboard is but in a field that has an undo of its own. */
 export function undoKeys(isActive: () => boolean, step: (by: 1 | -1) => void): void {
   const act = declare({
@@ -90,7 +94,7 @@ export function undoKeys(isActive: () => boolean, step: (by: 1 | -1) => void): v
   });
   document.addEventListener('keydown', (event) => {
     const { target, key } = event;
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || (target instanceof Element && target.closest('input, textarea, select, dialog') !== null)) return;
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || hasOwnUndo(target)) return;
     if (act(`Ctrl+${event.shiftKey ? 'Shift+' : ''}${key.toUpperCase()}`, event.shiftKey)) event.preventDefault();
   });
 }
