@@ -2562,7 +2562,7 @@ function editsOfDraft({ of, places }) {
 }
 // www/block/state/framing.ts
 function between({ edits }, from, to) {
-	return edits.slice(from, to).filter(isFramesStep);
+	return edits.flatMap((step, at) => at >= from && at < to && isFramesStep(step) ? [at] : []);
 }
 function framesOthers(marks, done) {
 	return between(marks, Math.min(marks.done, done), Math.max(marks.done, done)).length > 0;
@@ -2571,11 +2571,14 @@ function withFrames(state, before) {
 	const { marks } = state;
 	const back = between(marks, marks.done, before).reverse();
 	const again = between(marks, before, marks.done);
-	const undone = back.reduce((now, step) => exchanged(now, step, step.frames, step.scans), state);
-	return again.reduce((now, step) => exchanged(now, step, step.scans, step.frames), undone);
+	const undone = back.reduce((now, at) => exchanged(now, at, ({ scans, frames }) => [frames, scans]), state);
+	return again.reduce((now, at) => exchanged(now, at, ({ scans, frames }) => [scans, frames]), undone);
 }
-function exchanged(state, step, from, into) {
+function exchanged(state, at, of) {
 	const { files, removed, options, placing, marks } = state;
+	const step = marks.edits[at];
+	if (step === void 0 || !isFramesStep(step)) return state;
+	const [from, into] = of(step);
 	return {
 		...state,
 		files: imagesAfter(files, from, into),
@@ -2590,7 +2593,7 @@ function exchanged(state, step, from, into) {
 		},
 		marks: {
 			...marks,
-			edits: stepsAfter(marks.edits, marks.edits.indexOf(step), into.steps)
+			edits: stepsAfter(marks.edits, at, into.steps)
 		},
 		running: withoutRunUnderWay(state.running)
 	};
@@ -4109,6 +4112,10 @@ function mountEditBar(store, facts, measures) {
 		measures()?.match();
 		toImages();
 	}, say("match-the-point-in-the"));
+	const alone = button(say("match-here"), "block-match-alone", () => {
+		measures()?.matchAlone();
+		toImages();
+	}, say("match-the-point-here"));
 	const accept = button(say("accept"), "block-accept", () => store.dispatch({
 		type: "accept",
 		leaves: false
@@ -4155,6 +4162,7 @@ function mountEditBar(store, facts, measures) {
 		measure,
 		add,
 		match,
+		alone,
 		accept,
 		leave,
 		use,
@@ -4168,7 +4176,8 @@ function mountEditBar(store, facts, measures) {
 		[joining, say("no-points-to-join")],
 		[parting, say("no-point-to-split")],
 		[measure, say("no-point-is-chosen")],
-		[match, say("no-point-is-chosen")]
+		[match, say("no-point-is-chosen")],
+		[alone, say("no-point-is-chosen")]
 	]) declareLack([made], () => lackOfBlock(store.state) || lack);
 	declareLack([accept, leave], () => store.state.draft === null ? say("nothing-is-measured") : "");
 	declarePlace([measure, add], {
@@ -4218,6 +4227,7 @@ function mountEditBar(store, facts, measures) {
 		joining.hidden = drafting || toJoin(state, facts) === null;
 		parting.hidden = drafting || !inImages || splitOf(state, facts) === null;
 		match.hidden = !inImages || (measure.disabled || given) && !drafting;
+		alone.hidden = match.hidden || state.shown === null || shownImages(state.panes, state.shown.view).length < 2;
 		accept.hidden = !drafting;
 		accept.disabled = state.draft === null || stepOfDraft(state.draft, state.shown?.view.images.map(({ name }) => name) ?? [], state.history.done, addedIn(state)) === null;
 		leave.hidden = !drafting;
@@ -9711,7 +9721,7 @@ function measuringKeys(view) {
 			keys: ["f"],
 			does: say("matches-the-point-in-the"),
 			lacks: lacksPlace,
-			run: shown(() => view.match())
+			run: shown((shift) => shift ? view.matchAlone() : view.match())
 		},
 		{
 			keys: ["Escape"],
@@ -9911,16 +9921,34 @@ function cornerOf({ left, top, width, height }, [x] = [left, top]) {
 		height: side
 	};
 }
-// www/block/view/images/measuring.ts
+// www/block/view/images/turn.ts
 var STEP$1 = 20;
-var MOST_NAMES$1 = 3;
-var NOWHERE = new Map();
 var STRAIGHT = [
 	1,
 	0,
 	0,
 	1
 ];
+function turnOf(from, to, [x, y]) {
+	const { points: own } = from;
+	const { points: other } = to;
+	if (own === null || other === null) return STRAIGHT;
+	const [middle, across, down] = [
+		[x, y],
+		[x + STEP$1, y],
+		[x, y + STEP$1]
+	].map(([u = 0, v = 0]) => inOtherImage(own, other, [u, v]));
+	if (middle == null || across == null || down == null) return STRAIGHT;
+	return [
+		(across[0] - middle[0]) / STEP$1,
+		(across[1] - middle[1]) / STEP$1,
+		(down[0] - middle[0]) / STEP$1,
+		(down[1] - middle[1]) / STEP$1
+	];
+}
+// www/block/view/images/measuring.ts
+var MOST_NAMES$1 = 3;
+var NOWHERE = new Map();
 var Measuring = class {
 	store;
 	engine;
@@ -10055,25 +10083,45 @@ var Measuring = class {
 		return true;
 	}
 	async match(from) {
-		if (this.draft === null) this.toggle(false);
-		const at = from === null ? null : this.placeIn(from);
-		if (this.matching || this.draft === null || from?.file == null || at === null) return;
-		this.matching = true;
-		const { draft } = this;
-		const names = new Map(this.store.state.shown?.view.images.map(({ name }, image) => [image, name]));
-		this.tell("busy", say("matching-in-the-other-images", { image: names.get(from.image) ?? "" }));
-		try {
-			const left = await this.engine.window(from.file.file, at, null);
-			const others = this.panes().filter((pane) => pane.image !== from.image && pane.file !== null);
+		await this.matched(from, "matching-in-the-other-images", async (of, at, file) => {
+			const left = await this.engine.window(file, at, null);
+			const others = this.panes().filter((pane) => pane.image !== of.image && pane.file !== null);
 			const found = await Promise.all(others.map(async (pane) => {
 				const near = this.placeIn(pane);
 				if (near === null || pane.file === null) return null;
 				return {
 					pane,
-					place: await this.engine.matched(left, pane.file.file, near, turnOf(from, pane, at))
+					place: await this.engine.matched(left, pane.file.file, near, turnOf(of, pane, at))
 				};
 			}));
-			if (this.draft === draft) this.take(from, at, found.filter((one) => one !== null), names);
+			return () => this.take(of, at, found.filter((one) => one !== null));
+		});
+	}
+	async matchAlone(to) {
+		await this.matched(to, "matching-in-one-image", async (of, near, file) => {
+			const others = this.others(of);
+			for (const { pane, at, source } of others) {
+				const left = await this.engine.window(source, at, null);
+				const place = await this.engine.matched(left, file, near, turnOf(pane, of, at));
+				if (place !== null) return () => this.takeAlone(of, place, pane);
+			}
+			const done = others.length === 0 ? say("no-other-has-the-point") : say("no-match-is-confirmed-in", {
+				done: "",
+				where: this.nameOf(of)
+			}).trim();
+			return () => this.tell("info", done);
+		});
+	}
+	async matched(pane, busy, job) {
+		if (this.draft === null) this.toggle(false);
+		const at = pane === null ? null : this.placeIn(pane);
+		if (this.matching || this.draft === null || pane?.file == null || at === null) return;
+		this.matching = true;
+		const { draft } = this;
+		this.tell("busy", say(busy, { image: this.nameOf(pane) }));
+		try {
+			const take = await job(pane, at, pane.file.file);
+			if (this.draft === draft) take();
 			else if (this.store.state.notice?.kind === "busy") this.store.dispatch({
 				type: "notice",
 				notice: null
@@ -10084,11 +10132,35 @@ var Measuring = class {
 		}
 		this.matching = false;
 	}
-	take(from, at, found, names) {
+	others(than) {
+		const places = this.draft?.places;
+		const all = this.panes().flatMap((pane) => {
+			const at = places?.get(pane.image)?.at ?? this.measured(pane.image);
+			return pane.image === than.image || pane.file === null || at === null ? [] : [{
+				pane,
+				at,
+				source: pane.file.file
+			}];
+		});
+		const isPlaced = ({ pane }) => places?.has(pane.image) === true;
+		return [...all.filter(isPlaced), ...all.filter((one) => !isPlaced(one))];
+	}
+	nameOf({ image }) {
+		return this.store.state.shown?.view.images[image]?.name ?? "";
+	}
+	takeAlone(pane, place, by) {
+		if (this.draft !== null) this.set(placed$1(this.draft, pane.image, place, pane, "least_squares"));
+		this.tell("info", say("matched-in-one-image", {
+			image: this.nameOf(pane),
+			by: this.nameOf(by),
+			what: say("enter-accepts")
+		}));
+	}
+	take(from, at, found) {
 		if (this.draft === null) return;
 		const own = this.draft.of === null || isGiven(this.draft.of) && this.measured(from.image) === null ? placed$1(this.draft, from.image, at, from) : this.draft;
 		this.set(found.reduce((draft, { pane, place }) => place === null ? draft : placed$1(draft, pane.image, place, pane, "least_squares"), own));
-		const lost = found.filter(({ place }) => place === null).map(({ pane }) => names.get(pane.image) ?? "");
+		const lost = found.filter(({ place }) => place === null).map(({ pane }) => this.nameOf(pane));
 		const count = found.length - lost.length;
 		const done = say("matched-in-of-images", {
 			count,
@@ -10131,23 +10203,6 @@ var Measuring = class {
 };
 function placesOf$1(draft) {
 	return new Map([...draft.places].map(([image, { at }]) => [image, at]));
-}
-function turnOf(from, to, [x, y]) {
-	const { points: own } = from;
-	const { points: other } = to;
-	if (own === null || other === null) return STRAIGHT;
-	const [middle, across, down] = [
-		[x, y],
-		[x + STEP$1, y],
-		[x, y + STEP$1]
-	].map(([u = 0, v = 0]) => inOtherImage(own, other, [u, v]));
-	if (middle == null || across == null || down == null) return STRAIGHT;
-	return [
-		(across[0] - middle[0]) / STEP$1,
-		(across[1] - middle[1]) / STEP$1,
-		(down[0] - middle[0]) / STEP$1,
-		(down[1] - middle[1]) / STEP$1
-	];
 }
 // www/block/view/images/moving.ts
 var Moving = class {
@@ -10828,6 +10883,9 @@ var ImagesView = class {
 	match() {
 		this.measuring.match(this.seen.active()).then(() => this.opening.showDraft());
 	}
+	matchAlone() {
+		this.measuring.matchAlone(this.seen.active()).then(() => this.opening.showDraft());
+	}
 	changed() {
 		this.lay();
 		this.layers.redraw();
@@ -11391,7 +11449,8 @@ function imagesView(engine, placing, facts, addImages, ready) {
 					view.opening.showDraft();
 					host.focus();
 				},
-				match: () => view.match()
+				match: () => view.match(),
+				matchAlone: () => view.matchAlone()
 			});
 			view.watch(() => {
 				setText$1(place, placeText$1(store, view));
@@ -15533,6 +15592,10 @@ function ofObservations(view, of, row, x, y, drawn) {
 			image: imageAt(value)
 		}),
 		chosen: (choice) => {
+			if (choice?.kind === "observations") {
+				const isOne = among(choice);
+				return (value) => isOne(pointAt(value), imageAt(value));
+			}
 			const [points, images] = [new Set(pointsOf(choice)), new Set(imagesOf(choice))];
 			return (value) => (points.size === 0 || points.has(pointAt(value))) && (images.size === 0 || images.has(imageAt(value))) && points.size + images.size > 0;
 		},

@@ -1179,10 +1179,14 @@ async function change(to, keeper) {
 	location.reload();
 }
 // www/main.ts
+var LONGEST_WAIT_MS = 1e3;
 function firstView() {
 	return new Promise((drawn) => {
 		if (document.hidden) drawn();
-		else requestAnimationFrame(() => window.setTimeout(drawn));
+		else {
+			requestAnimationFrame(() => window.setTimeout(drawn));
+			window.setTimeout(drawn, LONGEST_WAIT_MS);
+		}
 	});
 }
 async function start() {

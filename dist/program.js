@@ -2514,6 +2514,7 @@ function showHistory(host, prefix, first, history, nameOf, go) {
 	fill(host, entry(0, first), ...earlier, ...listed, ...later);
 	if (focused) host.querySelector("[aria-current]")?.focus({ preventScroll: true });
 }
+var hasOwnUndo = (target) => target instanceof Element && target.closest("input:not([type=\"range\"], [type=\"checkbox\"], [type=\"radio\"]), textarea, dialog") !== null;
 function undoKeys(isActive, step) {
 	const act = declare({
 		where: say("anywhere-after-edits"),
@@ -2532,7 +2533,7 @@ function undoKeys(isActive, step) {
 	});
 	document.addEventListener("keydown", (event) => {
 		const { target, key } = event;
-		if (!(event.ctrlKey || event.metaKey) || event.altKey || target instanceof Element && target.closest("input, textarea, select, dialog") !== null) return;
+		if (!(event.ctrlKey || event.metaKey) || event.altKey || hasOwnUndo(target)) return;
 		if (act(`Ctrl+${event.shiftKey ? "Shift+" : ""}${key.toUpperCase()}`, event.shiftKey)) event.preventDefault();
 	});
 }
@@ -12940,7 +12941,7 @@ function mountMasking(host, bar, store, masking, { paint, step, giveUp }) {
 		}]
 	});
 	document.addEventListener("keydown", (event) => {
-		if (event.defaultPrevented || event.target instanceof Element && event.target.closest("input, textarea, select, dialog") !== null) return;
+		if (event.defaultPrevented || hasOwnUndo(event.target) || event.target instanceof Element && event.target.closest("select") !== null) return;
 		if (leave(event.key, event.shiftKey)) event.preventDefault();
 	});
 	bar.append(buttons);

@@ -591,6 +591,7 @@ overview-warning-apart = وُجّهت { $images } من الصور بمعزل ع�
 overview-warning-not-on-orthophoto = ليست الكتلة في نظام الصورة المصححة، وهي كما كانت دونها: { $not_linked }.
 overview-warning-focal-apart = البعد البؤري للكاميرا { $label } مع الصورة المصححة { FIXED($estimated_px, digits: 1) } بكسل، والمعروف { FIXED($prior_px, digits: 1) } بكسل، والفرق { FIXED($apart, digits: 1) } انحرافًا معياريًا منه: تحقق من الكاميرا والارتفاعات ووحدتها.
 overview-warning-few-matches = لا تربط الصورتين إلا { $matches } من المطابقات؛ وقد يتفق مثل هذا العدد القليل على نمط متكرر. ويلزم { $least } على الأقل لاستبعاد ذلك.
+overview-warning-no-points = لم تبقَ نقطة ربط: لا شيء مما يشارك يبيّن موضع الصور.
 overview-warning-none-oriented = لم يمكن توجيه أي صورة.
 overview-warning-doubtful-camera = لا تكاد إحدى الكاميرات تكون الصحيحة ({ $remark }).
 overview-warning-failed = لم يمكن توجيه أي صورة: { $failure }.
@@ -848,6 +849,7 @@ block-warning-orthophoto-heights-apart =
         [minus] أدنى
        *[plus] أعلى
     } من مواقع صورها في GNSS بمقدار { AMOUNT($height_m, digits: 1) } م، في وسيط { $images } منها، والمعتاد { FIXED($usual_m, digits: 1) } م على الأكثر: تحقق من الارتفاعات، فهي منزاحة كلها أو محسوبة من صفر غير صفر المواقع، كمستوى سطح البحر بدل المجسم الإهليلجي (--heights-geoid-m)، ومن المواقع.
+block-warning-orthophoto-heights-scatter = تتفرق ارتفاعات أرض الصورة المصححة ± { FIXED($scatter_m, digits: 1) } م حول ما تجعله الكتلة، بحسب { $checks } من المواضع التي تتحقق منها، والمذكور ± { FIXED($stated_m, digits: 1) } م: بعضها منزاح، كأن يكون ذلك في جزء من الأرض، أو كلها أقل دقة (--height-sigma-m)، وقد تكون ارتفاعات الصور خاطئة بالقدر نفسه.
 block-warning-parameter-fixed = لا تحدد الكتلة { $camera_parameter } لـ{ $camera }؛ فبقيت قيمته التقريبية.
 block-warning-few-observations =
     { $images_count ->

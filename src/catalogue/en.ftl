@@ -1109,6 +1109,7 @@ overview-warning-apart = { $images } images are oriented apart from the others, 
 overview-warning-not-on-orthophoto = The block is not in the system of the orthophoto, and is as it was without it: { $not_linked }.
 overview-warning-focal-apart = With the orthophoto the focal length of { $label } is { FIXED($estimated_px, digits: 1) } px where { FIXED($prior_px, digits: 1) } px was known, { FIXED($apart, digits: 1) } standard deviations of that apart: check the camera, the heights and their unit.
 overview-warning-few-matches = Only { $matches } matches join the two images: so few can agree on a repeated pattern. At least { $least } are needed to exclude it.
+overview-warning-no-points = No tie point is left: nothing that takes part shows how the images lie.
 overview-warning-none-oriented = No image could be oriented.
 overview-warning-doubtful-camera = A camera is hardly the right one ({ $remark }).
 overview-warning-failed = No image could be oriented: { $failure }.
@@ -1380,6 +1381,7 @@ block-warning-orthophoto-heights-apart =
         [minus] below
        *[plus] above
     } the GNSS positions of its images, in the median of { $images }, where { FIXED($usual_m, digits: 1) } m are usual at most: check the heights, which are off as a whole or count from another zero than the positions, as sea level in place of the ellipsoid (--heights-geoid-m), and the positions.
+block-warning-orthophoto-heights-scatter = Heights of the orthophoto's ground lie ± { FIXED($scatter_m, digits: 1) } m about where the block has them, by { $checks } places that check it, where ± { FIXED($stated_m, digits: 1) } m are stated: some are off, as in a part of the ground, or all are less precise (--height-sigma-m); heights of the images may be as wrong.
 block-warning-parameter-fixed = The block does not determine { $camera_parameter } of { $camera }; it keeps its approximate value.
 block-warning-few-observations =
     { $images_count ->

@@ -155,22 +155,23 @@ impl BlockLinks {
         if placed < LEAST_IMAGES {
             return run.not_linked(NotLinked::FewImages { placed, images: oriented, needed: LEAST_IMAGES });
         }
-        let points = self.points(&in_metres(into.as_ref(), reference), options);
+        let metric = in_metres(into.as_ref(), reference);
+        let errors = PlaceErrors::new(options, metric.georeference.gsd(), matches!(metric.heights, Heights::Model(_)));
+        let points = self.points(&metric, errors, options);
         let on_ground = match into.map(|into| into.taken(points.clone(), reference)).transpose() {
             Ok(None) => run.on_ground(&points, reference.epsg, &[]),
             Ok(Some((points, remarks))) => run.on_ground(&points, reference.epsg, &remarks),
             Err(error) => return run.not_linked(NotLinked::Failed { failure: Failure::from(&error) }),
         };
         on_ground.map(|found| match found.orthophoto {
-            Some(OnOrthophoto::Linked { .. }) => found.judged_beside_positions(reference, options),
+            Some(OnOrthophoto::Linked { .. }) => found.judged_beside_positions(reference, options).judged_by_checks(errors.height),
             _ => found,
         })
     }
 
     /// The places of the ground, of which each square gives one.
-    fn points(&self, reference: &Orthophoto, options: &PlacingOptions) -> Vec<GroundPoint> {
+    fn points(&self, reference: &Orthophoto, errors: PlaceErrors, options: &PlacingOptions) -> Vec<GroundPoint> {
         let gsd = reference.georeference.gsd();
-        let errors = PlaceErrors::new(options, gsd, matches!(reference.heights, Heights::Model(_)));
         let side = |placement: &Placement| placement.gsd_m * f64::from(placement.camera.width_px.max(placement.camera.height_px)) / CELLS;
         let Some(side) = median(&mut self.sure().map(|(_, placement)| side(placement)).collect::<Vec<_>>()) else { return Vec::new() };
         let mut squares: BTreeMap<[i64; 2], Vec<Seeing>> = BTreeMap::new();

@@ -7,7 +7,8 @@
 //! A photo on film: its scan and fiducial marks → the frame of an ideal camera (`film`) → as any image → back to the scan (`place_film`).
 //!
 //! A block: `block_links` (images placed by themselves or near where the others of the block have them) → places of the ground that several images
-//! show → in the coordinate reference system of the block, where it has one (`into_system`) → [`BlockRun`](crate::BlockRun) adjusted by them.
+//! show → in the coordinate reference system of the block, where it has one (`into_system`) → [`BlockRun`](crate::BlockRun) adjusted by them → what its positions
+//! (`beside_positions`) and the places that check it (`heights_by_checks`) say against the orthophoto.
 //!
 //! The other way round: an oriented block → its map (`block_map`, `map_nodes`) → `mosaic` → a picture of the ground, which `write` makes a GeoTIFF.
 
@@ -27,6 +28,7 @@ mod footprint;
 mod ground;
 mod height_values;
 mod heights;
+mod heights_by_checks;
 mod hidden;
 mod into_system;
 mod links;

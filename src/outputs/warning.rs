@@ -21,6 +21,8 @@ messages! {
         NoneOriented,
         /// Two images alone are oriented, by few matches of their points: as many agree on the geometry of a repeated pattern, and no third image checks it.
         FewMatches { matches: usize, least: usize },
+        /// Images are oriented, and no tie point is left that shows how.
+        NoPoints,
         /// Of a camera whose focal length came out otherwise, with the orthophoto and its heights, than what was known of it: so many standard deviations of
         /// that apart.
         FocalApart { label: String, estimated_px: f64, prior_px: f64, apart: f64 },
@@ -42,6 +44,7 @@ impl OverviewWarning {
             Self::FewOriented { .. }
             | Self::NotOnOrthophoto { .. }
             | Self::FewMatches { .. }
+            | Self::NoPoints
             | Self::FocalApart { .. }
             | Self::DoubtfulCamera { .. }
             | Self::NoneOriented
@@ -71,7 +74,9 @@ pub(super) fn overview_warnings(run: &BlockRun) -> Vec<OverviewWarning> {
             None => vec![OverviewWarning::NoneOriented],
         },
     };
-    without.into_iter().chain(found).chain(focals_apart(run)).collect()
+    let is_bare = run.model.points.is_empty() && run.model.images.iter().any(|image| image.pose.is_some());
+    let bare = is_bare.then_some(OverviewWarning::NoPoints);
+    without.into_iter().chain(bare).chain(found).chain(focals_apart(run)).collect()
 }
 
 /// Two images are judged as a pair is.

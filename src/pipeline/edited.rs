@@ -135,9 +135,8 @@ impl BlockRun {
         tell_stated_errors(&mut model, &description, &found.images, &input);
         tell_after_edits(&mut model, &before.models[0], &description);
         if linked.is_some() {
-            // Edits bring no block to where its positions are.
-            let stays =
-                |told: &&BlockWarning| matches!(told, BlockWarning::OrthophotoApart { .. } | BlockWarning::OrthophotoHeightsApart { .. });
+            // Edits bring no block to where its positions are, and heights of the ground to where they belong.
+            let stays = |told: &&BlockWarning| told.is_of_orthophoto();
             model.warnings.extend(before.models[0].warnings.iter().filter(stays).cloned());
         }
         let placed = match linked {

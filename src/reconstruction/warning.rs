@@ -169,6 +169,8 @@ messages! {
         OrthophotoApart { images: usize, plan_m: f64, usual_m: f64 },
         /// It has the block higher than they, or lower (below 0).
         OrthophotoHeightsApart { images: usize, height_m: f64, usual_m: f64 },
+        /// Heights of its ground scatter so much about those of the block, by the places that check it, where `stated_m` are stated of them.
+        OrthophotoHeightsScatter { checks: usize, scatter_m: f64, stated_m: f64 },
         /// A parameter of a camera that the block does not determine.
         ParameterFixed { camera: NamedCamera, camera_parameter: CameraParameter },
         /// Images with fewer observations than `least`.
@@ -191,6 +193,11 @@ pub(super) const UNKNOWN_TURN_DEG: f64 = 45.0;
 const WRONG_PLACE_KM: f64 = 1.0;
 
 impl BlockWarning {
+    /// Whether it says of an orthophoto, or the heights of its ground, that they are off.
+    pub(crate) fn is_of_orthophoto(&self) -> bool {
+        matches!(self, Self::OrthophotoApart { .. } | Self::OrthophotoHeightsApart { .. } | Self::OrthophotoHeightsScatter { .. })
+    }
+
     /// Whether it speaks against the model as a whole: others tell what is weak of it, or what was done about it.
     pub(crate) fn is_weakness(&self) -> bool {
         match self {
@@ -226,6 +233,7 @@ impl BlockWarning {
             | Self::FocalOfGround { .. }
             | Self::OrthophotoApart { .. }
             | Self::OrthophotoHeightsApart { .. }
+            | Self::OrthophotoHeightsScatter { .. }
             | Self::ManyRejected { .. } => true,
             Self::NoHeights
             | Self::PositionsRejected { .. }
