@@ -7,8 +7,8 @@ use std::path::PathBuf;
 use std::sync::{Mutex, OnceLock, PoisonError};
 use tiepoint::{
     Axis, BlockEdit, BlockFiles, BlockFlight, BlockLinks, BlockModel, BlockRun, BlockScene, BlockSettings, BlockVerdict, BlockWarning,
-    CameraUncertainty, ControlRole, ControlTexts, DecodeLimits, Heights, MeasuredBy, MultiscaleOptions, NotLinked, OnOrthophoto,
-    Orthophoto, OverviewWarning, PlacingOptions, PointSource, Remark, RunInput, SearchArea, Texts, control_by_hand, decode,
+    CameraUncertainty, ControlRole, ControlTexts, DecodeLimits, HeightModel, Heights, MeasuredBy, MultiscaleOptions, NotLinked,
+    OnOrthophoto, Orthophoto, OverviewWarning, PlacingOptions, PointSource, Remark, RunInput, SearchArea, Texts, control_by_hand, decode,
     parse_ground_control_points, read_project, run_block, write_block_project,
 };
 
@@ -200,6 +200,27 @@ fn a_focal_length_that_contradicts_what_was_known_is_said_of_a_block_on_an_ortho
     ] {
         let verdict = verdict(times, uncertainty, orthophoto);
         assert!(matches!(verdict, BlockVerdict::Oriented { .. }), "{times}: {verdict}");
+    }
+}
+
+#[test]
+fn heights_that_are_off_in_a_part_leave_the_block_right_or_say_so() {
+    let (right, _) = own();
+    let [width, height] = right.size();
+    for share in [0.35, 0.5] {
+        let raised = |k: usize| {
+            let (column, row) = (k % width, k / width);
+            let own = right.heights.at(right.georeference.ground([column as f64 + 0.5, row as f64 + 0.5])).unwrap_or(f64::NAN);
+            (own + if column as f64 > (1.0 - share) * width as f64 { 5.0 } else { 0.0 }) as f32
+        };
+        let model = HeightModel::new(width, height, (0..width * height).map(raised).collect(), right.georeference).unwrap();
+        let reference = Orthophoto::new(right.grey().unwrap(), right.georeference, Heights::Model(model)).unwrap();
+        let found = placed(block(), &reference).linked(block(), &reference, &options()).unwrap();
+        let verdict = BlockVerdict::of(&found);
+        let is_linked = matches!(outcome(&found), OnOrthophoto::Linked { .. });
+        let is_moved = is_linked && errors(&found, &flown().scene.truth()).iter().any(|[.., (z, _)]| z.abs() > 2.0);
+        println!("{share}: {} {is_moved} {verdict}", outcome(&found));
+        assert!(matches!(verdict, BlockVerdict::Weak { .. }) || (is_linked && !is_moved), "{share}: {verdict}");
     }
 }
 

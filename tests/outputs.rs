@@ -4,10 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::sync::OnceLock;
 use tiepoint::{
-    BlockEdit, BlockFlight, BlockOverview, BlockRun, BlockScene, BlockSettings, BlockWarning, ExportFormat, HandMeasurement, ImagePlace,
-    MeasuredBy, MultiscaleOptions, ObservationDetail, ObservationPart, PointColumns, PointDetail, PointImage, PointSource, Project,
-    RefinementMethod, RunInput, UnorientedReason, accuracy_map, block_covariances, block_epipolar_line, block_files, covariance_table,
-    coverage, image_points, images_in, meeting_place, planned_files, point_detail, point_ids, read_project, run_block, write_block_project,
+    BlockEdit, BlockFlight, BlockOverview, BlockRun, BlockScene, BlockSettings, BlockVerdict, BlockWarning, ExportFormat, HandMeasurement,
+    ImagePlace, MeasuredBy, MultiscaleOptions, ObservationDetail, ObservationPart, OverviewWarning, PointColumns, PointDetail, PointImage,
+    PointSource, Project, RefinementMethod, RunInput, UnorientedReason, accuracy_map, block_covariances, block_epipolar_line, block_files,
+    covariance_table, coverage, image_points, images_in, meeting_place, planned_files, point_detail, point_ids, read_project, run_block,
+    write_block_project,
 };
 
 /// A small simulated block, one image of which has nothing in common with the others.
@@ -405,6 +406,15 @@ fn observations_that_a_rejected_image_leaves_alone_are_no_gross_errors() {
     let alone = model.adjusted.points.iter().filter(|point| point.is_none()).count();
     assert!(alone > 5, "{alone} points have lost their second ray");
     assert!(!model.warnings.iter().any(|warning| matches!(warning, BlockWarning::ManyRejected { .. })), "{:?}", model.warnings);
+}
+
+#[test]
+fn a_block_without_a_tie_point_left_is_weak() {
+    let run = finished();
+    let points = (0..run.model.points.len()).filter_map(|index| point_detail(run, index).unwrap().id).collect();
+    let bare = run.with_edits(&[BlockEdit::RejectPoints { points }]).unwrap();
+    let is_bare = |run: &BlockRun| matches!(BlockVerdict::of(run), BlockVerdict::Weak { overview_warning: OverviewWarning::NoPoints, .. });
+    assert!(bare.model.points.is_empty() && is_bare(&bare) && !is_bare(run), "{}", BlockVerdict::of(&bare));
 }
 
 #[test]
