@@ -715,7 +715,7 @@ export class OrthoMosaic {
         return v1;
     }
     /**
-     * What is to be said of the heights that were given; null where there is nothing.
+     * What is to be said of the heights that were given, or of the system; null where there is nothing.
      * @returns {Remark | null}
      */
     remark() {
