@@ -5,9 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use tiepoint::{
-    BlockFlight, BlockLinks, BlockRun, BlockScene, CameraUncertainty, ControlRole, DecodeLimits, GreyImage, HeightModel, Heights,
-    OnOrthophoto, Orthophoto, PlacingCamera, PlacingOptions, PlacingVerdict, RunInput, SearchArea, SurveyedPoint, decode, place_image,
-    run_block,
+    BlockFlight, BlockLinks, BlockRun, BlockScene, BlockVerdict, CameraUncertainty, ControlRole, DecodeLimits, GreyImage, HeightModel,
+    Heights, OnOrthophoto, Orthophoto, PlacingCamera, PlacingOptions, PlacingVerdict, RunInput, SearchArea, SurveyedPoint, decode,
+    place_image, run_block,
 };
 
 /// Side of a pixel of the orthophoto in m.
@@ -305,7 +305,7 @@ fn main() -> ExitCode {
             let area = SearchArea::new(&reference, &options).expect("a place on the orthophoto");
             let run = block.placed(&reference, &area, &options);
             let outcome = run.orthophoto.clone().expect("an orthophoto was given");
-            println!("  seed {seed}, {name}: {} photos. {outcome}", scene.photos());
+            println!("  seed {seed}, {name}: {} photos. {outcome} {}", scene.photos(), BlockVerdict::of(&run));
             if matches!(outcome, OnOrthophoto::Linked { .. }) {
                 sums.judge(&run, &block.run, &scene);
             }

@@ -126,7 +126,7 @@ async function nodeTests(steps, group, name, env, concurrency = 1) {
   await steps.check(group, name, () => nodeTest(testsIn(join(ROOT, 'tests', group)), env, concurrency));
 }
 
-/** A file of tests takes a tenth of this: one that hangs is told, and does not hold up all the others. */
+/** No file of tests takes a fifth of this: one that hangs is told, and does not hold up all the others. */
 const FILE_MS = 900_000;
 
 /** Runs Node's tests without their chatter; a failure shows all of it.  @param {string[]} files @param {Record<string, string>} [env] */

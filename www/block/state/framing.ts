@@ -2,8 +2,7 @@
  * Images of one camera in the place of scans of film, as a step beside the edits that is undone and done again: with the images change their masks, the
  * files of cameras and of image measurements, what was given of the film, and the measurements of the steps before, which are in px of the images. Pure.
  */
-import type { TextFile } from './file';
-import type { BlockFile } from './file';
+import type { BlockFile, TextFile } from './file';
 import type { GivenFilm } from './film';
 import { isFramesStep } from './marks';
 import type { Framing, FramesStep, MarkStep } from './marks';
