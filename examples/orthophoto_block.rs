@@ -1,31 +1,17 @@
 //! Simulated blocks in the system of orthophotos of their ground, of which much has changed: errors beside standard errors. Then photos of other
 //! towns, none of which may be placed. Arguments: first seed, number of seeds, photos of other towns, strips, exposures per strip.
 
+mod later;
+
+use later::{FAULTS, Fault, GSD_M, Ground};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use tiepoint::{
-    BlockFlight, BlockLinks, BlockRun, BlockScene, BlockVerdict, CameraUncertainty, ControlRole, DecodeLimits, GreyImage, HeightModel,
-    Heights, OnOrthophoto, Orthophoto, PlacingCamera, PlacingOptions, PlacingVerdict, RunInput, SearchArea, SurveyedPoint, decode,
-    place_image, run_block,
+    BlockFlight, BlockLinks, BlockRun, BlockScene, BlockVerdict, CameraUncertainty, ControlRole, DecodeLimits, OnOrthophoto, Orthophoto,
+    PlacingCamera, PlacingOptions, PlacingVerdict, RunInput, SearchArea, SurveyedPoint, decode, place_image, run_block,
 };
 
-/// Side of a pixel of the orthophoto in m.
-const GSD_M: f64 = 0.5;
-/// What was built: squares of so many m a side, of which this share shows another town.
-const CHANGES: [(f64, f64); 2] = [(60.0, 0.2), (12.0, 0.1)];
-const MORE_CHANGES: [(f64, f64); 2] = [(60.0, 0.35), (12.0, 0.2)];
-/// Fields of so many m a side, of which this share shows another crop: what was dark is bright, with a texture of so many px.
-const FIELDS: (f64, f64) = (80.0, 0.2);
-const TEXTURE_PX: f64 = 6.0;
-const TEXTURE_GREY: f64 = 25.0;
-/// Standard error of a height, that which is stated without an option, and the distance in m within which heights err together.
-const HEIGHT_M: f64 = GSD_M;
-const TOGETHER_M: f64 = 150.0;
-/// Other light, and noise in grey values.
-const GAIN: f64 = 0.75;
-const OFFSET: f64 = 35.0;
-const NOISE: f64 = 4.0;
 /// The rough position is so far off along both axes together, and the search goes as far beyond the block.
 const OFF_M: f64 = 300.0;
 /// Errors of centres are to be at most so many pixels of the orthophoto, in height times the factor that their covariance says.
@@ -34,87 +20,8 @@ const ASKED_PX: f64 = 0.5;
 const HELD: [f64; 2] = [0.8, 1.3];
 const BY_CHANCE: f64 = 3.09;
 
-/// What is wrong with an orthophoto beside what was built and the light.
-#[derive(Clone, Copy)]
-enum Fault {
-    None,
-    Built,
-    Season,
-    Heights,
-}
-
-const FAULTS: [(Fault, &str); 4] = [
-    (Fault::None, "heights right"),
-    (Fault::Built, "more was built"),
-    (Fault::Season, "fields of another season"),
-    (Fault::Heights, "heights wrong together"),
-];
-
 fn flight(seed: u32, strips: usize, exposures: usize) -> BlockFlight {
     BlockFlight { strips, exposures, width_px: 800, height_px: 600, pixel_mm: 0.045, seed, ..BlockFlight::default() }
-}
-
-/// A number from 0 to 1 that is the same for the same numbers.
-fn chance(seed: u32, column: usize, row: usize, what: u32) -> f64 {
-    let mut mixed =
-        seed ^ (column as u32).wrapping_mul(0x9E37_79B1) ^ (row as u32).wrapping_mul(0x85EB_CA77) ^ what.wrapping_mul(0xC2B2_AE3D);
-    for shift in [15, 13, 16] {
-        mixed = (mixed ^ (mixed >> shift)).wrapping_mul(0x2C1B_3C6D);
-    }
-    f64::from(mixed) / f64::from(u32::MAX)
-}
-
-/// Normally distributed, of variance 1, and smooth over so many px.
-fn smooth(seed: u32, column: usize, row: usize, side_px: f64, what: u32) -> f64 {
-    let normal = |column: usize, row: usize| {
-        let [a, b] = [what, what + 1].map(|what| chance(seed, column, row, what));
-        (-2.0 * a.max(1e-9).ln()).sqrt() * (std::f64::consts::TAU * b).cos()
-    };
-    let [x, y] = [column, row].map(|k| k as f64 / side_px);
-    let [u, v] = [x.fract(), y.fract()];
-    let corners = [([0, 0], (1.0 - u) * (1.0 - v)), ([1, 0], u * (1.0 - v)), ([0, 1], (1.0 - u) * v), ([1, 1], u * v)];
-    let sum: f64 = corners.iter().map(|([c, r], weight)| weight * normal(x as usize + c, y as usize + r)).sum();
-    sum / corners.iter().map(|(_, weight)| weight * weight).sum::<f64>().sqrt()
-}
-
-/// The orthophoto of a scene years later: squares of it show another town, the light is another.
-fn changed(scene: &BlockScene, seed: u32, flight: &BlockFlight, fault: Fault) -> Orthophoto {
-    let own = scene.orthophoto(GSD_M).expect("an orthophoto of less than 100 MP");
-    let other = BlockScene::new(&BlockFlight { seed: seed + 500, ..flight.clone() }).and_then(|scene| scene.orthophoto(GSD_M));
-    let other = other.and_then(|other| other.grey()).expect("the orthophoto of another town");
-    let before = own.grey().expect("less than 100 MP");
-    let changes = if matches!(fault, Fault::Built) { MORE_CHANGES } else { CHANGES };
-    let is_among = |column: usize, row: usize, what: u32, (side_m, share): (f64, f64)| {
-        let [c, r] = [column, row].map(|k| (k as f64 * GSD_M / side_m) as usize);
-        chance(seed, c, r, what) < share
-    };
-    let grey = |column: usize, row: usize| {
-        let is_other = (0..).zip(changes).any(|(what, squares)| is_among(column, row, what, squares));
-        let shown = if is_other { other.view().at(column % other.width(), row % other.height()) } else { before.view().at(column, row) };
-        let is_crop = matches!(fault, Fault::Season) && is_among(column, row, 20, FIELDS);
-        let crop = || 0.5 * (255.0 - f64::from(shown)) + 40.0 + TEXTURE_GREY * smooth(seed, column, row, TEXTURE_PX, 21);
-        let value = if is_crop { crop() } else { f64::from(shown) };
-        let noise = NOISE * (chance(seed, column, row, 8) + chance(seed, column, row, 9) - 1.0) * 2.4;
-        (GAIN * value + OFFSET + noise).round().clamp(1.0, 255.0) as u8
-    };
-    let grey = GreyImage::from_fn(before.width(), before.height(), grey).expect("as large as it was");
-    let heights = match fault {
-        Fault::Heights => wrong_together(&own, seed),
-        Fault::None | Fault::Built | Fault::Season => own.heights,
-    };
-    Orthophoto::new(grey, own.georeference, heights).expect("the place that it had")
-}
-
-/// The heights of an orthophoto with errors as large as stated that neighbours share.
-fn wrong_together(own: &Orthophoto, seed: u32) -> Heights {
-    let [width, height] = own.size();
-    let wrong = |k: usize| {
-        let (column, row) = (k % width, k / width);
-        let right = own.heights.at(own.georeference.ground([column as f64 + 0.5, row as f64 + 0.5]));
-        right.map_or(f32::NAN, |right| (right + HEIGHT_M * smooth(seed, column, row, TOGETHER_M / GSD_M, 31)) as f32)
-    };
-    let model = HeightModel::new(width, height, (0..width * height).map(wrong).collect(), own.georeference);
-    Heights::Model(model.expect("heights of the earth"))
 }
 
 /// The photos of a scene with the block that they make.
@@ -294,8 +201,9 @@ fn main() -> ExitCode {
         let scene = BlockScene::new(&flight).expect("a flight that can be flown");
         let folder = std::env::temp_dir().join(format!("tiepoint-orthophoto-block-{}-{seed}", std::process::id()));
         let block = Photos::new(&scene, &folder);
+        let ground = Ground::new(&scene, &flight);
         for ((fault, name), sums) in FAULTS.iter().zip(&mut all) {
-            let reference = changed(&scene, seed, &flight, *fault);
+            let reference = ground.later(*fault);
             let [width, height] = reference.size().map(|side| side as f64);
             let [x, y] = reference.georeference.ground([0.5 * width, 0.5 * height]);
             let reach = GSD_M * width.max(height);

@@ -14,7 +14,7 @@ use super::solution::Step;
 use super::sparse::N;
 use super::weighted::Weighted;
 use crate::Error;
-use crate::math::{NORMAL_MEDIAN, median};
+use crate::math::{median, scatter};
 use nalgebra::{Matrix3, Vector3};
 
 /// An offset is not determined where so little of the weight of the positions is left to tell it.
@@ -102,9 +102,9 @@ impl Beside<'_> {
             let change = self.followed(|step| step.points[point][axis]);
             self.size(solved.problem.control[point].as_ref()?, statistics.as_ref()?, axis, change)
         };
-        let scatter = |mut sizes: Vec<f64>| median(&mut sizes).filter(|_| sizes.len() >= LEAST_RESIDUALS).map(|size| size / NORMAL_MEDIAN);
-        let of_positions = scatter(solved.problem.gnss.iter().enumerate().filter_map(of_image).collect());
-        let of_points = scatter(adjusted.control.iter().enumerate().filter_map(of_control).collect());
+        let of = |mut sizes: Vec<f64>| scatter(&mut sizes).filter(|_| sizes.len() >= LEAST_RESIDUALS);
+        let of_positions = of(solved.problem.gnss.iter().enumerate().filter_map(of_image).collect());
+        let of_points = of(adjusted.control.iter().enumerate().filter_map(of_control).collect());
         of_positions.into_iter().chain(of_points).fold(1.0, f64::max)
     }
 

@@ -30,7 +30,7 @@ pub(crate) use pairs::Pairs;
 pub(crate) use polynomial::{MAX_DEGREE, real_roots};
 pub(crate) use random::Random;
 pub(crate) use rays::nearest_to_rays;
-pub(crate) use statistics::{MEDIAN_BY_MEAN, MEDIAN_LENGTH, NORMAL_MEDIAN, median, smallest, weighted_median};
+pub(crate) use statistics::{MEDIAN_BY_MEAN, MEDIAN_LENGTH, median, scatter, smallest, weighted_median};
 pub(crate) use student::{detectable_shift, f_limit, joint_limit, ln_choices, ln_f_above, student_limit, tau_limit, variance_left};
 pub(crate) use two::Two;
 pub(crate) use vector::{cross, dot3, minus};

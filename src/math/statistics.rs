@@ -4,7 +4,7 @@
 pub(crate) const MEDIAN_LENGTH: f64 = 1.177_41;
 
 /// The median absolute value of a standard normal variable.
-pub(crate) const NORMAL_MEDIAN: f64 = 0.6745;
+const NORMAL_MEDIAN: f64 = 0.6745;
 
 /// The standard error of a median of many normal variables, in that of their mean.
 pub(crate) const MEDIAN_BY_MEAN: f64 = 1.2533;
@@ -26,6 +26,12 @@ pub(crate) fn median(values: &mut [f64]) -> Option<f64> {
     }
     let lower = values[..half].iter().copied().fold(f64::NEG_INFINITY, f64::max);
     Some(0.5 * (lower + upper))
+}
+
+/// The standard deviation of normal errors of these sizes, by their median, which a few gross ones hardly change. `None` where there are none. Reorders
+/// `sizes`.
+pub(crate) fn scatter(sizes: &mut [f64]) -> Option<f64> {
+    median(sizes).map(|middle| middle / NORMAL_MEDIAN)
 }
 
 /// The median of values that count by their weights: half of the weight lies at or below it. `None` without any weight. Reorders `values`,

@@ -14,7 +14,7 @@ use super::reference::Orthophoto;
 use super::search_area::SearchArea;
 use super::verdict::contradiction;
 use crate::error::refuse;
-use crate::math::{NORMAL_MEDIAN, dot3, median, minus};
+use crate::math::{dot3, median, minus, scatter};
 use crate::pipeline::GroundPoint;
 use crate::{BlockRun, ControlRole, Error, ExifPosition, Failure, GreyView, Input, NotLinked, OnOrthophoto, Pose, Refusal, Remark};
 use std::borrow::Cow;
@@ -194,7 +194,7 @@ impl BlockLinks {
             factors.extend(median(&mut ratios));
         }
         // As where an image is placed by itself, residuals say how large all errors are, and what was stated how they differ.
-        let factor = median(&mut factors).map_or(1.0, |middle| (middle / NORMAL_MEDIAN).max(LEAST_FACTOR));
+        let factor = scatter(&mut factors).map_or(1.0, |found| found.max(LEAST_FACTOR));
         let of_images = median(&mut self.sure().map(|(_, placement)| placement.gsd_m).collect::<Vec<_>>()).unwrap_or(gsd);
         let within = ONE_PLACE_PX * gsd.max(of_images);
         let chosen: Vec<(&Found, Vec<&Seeing>)> = squares.values().filter_map(|links| most_seen(links, within)).collect();

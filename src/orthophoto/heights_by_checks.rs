@@ -1,7 +1,7 @@
 //! Whether the heights of an orthophoto's ground are as precise as is stated: heights that are off in a part of it pull the block there, and what contradicts them most
 //! is rejected, so that residuals alone hardly show it. Places that take no part do.
 
-use crate::math::{NORMAL_MEDIAN, median};
+use crate::math::{median, scatter};
 use crate::pipeline::is_place_of_orthophoto;
 use crate::{BlockRun, BlockWarning, ControlRole, SurveyedPoint};
 
@@ -12,10 +12,10 @@ const LEAST_CHECKS: usize = 12;
 const MOST_SCATTER: f64 = 3.0;
 
 /// The scatter of differences about their median, as the standard deviation of normally distributed ones.
-fn scatter(mut differences: Vec<f64>) -> Option<f64> {
+fn scatter_about_median(mut differences: Vec<f64>) -> Option<f64> {
     let middle = median(&mut differences)?;
     differences.iter_mut().for_each(|difference| *difference = (*difference - middle).abs());
-    Some(median(&mut differences)? / NORMAL_MEDIAN)
+    scatter(&mut differences)
 }
 
 /// What the places that check a block say of the heights, of which `stated_m` is stated.
@@ -23,7 +23,7 @@ fn told<'a>(surveyed: impl Iterator<Item = &'a SurveyedPoint>, stated_m: f64) ->
     let checks = surveyed.filter(|point| point.role == ControlRole::Check && is_place_of_orthophoto(&point.name));
     let differences: Vec<f64> = checks.map(|point| point.difference_m[2]).filter(|difference| difference.is_finite()).collect();
     let checks = differences.len();
-    let scatter_m = scatter(differences)?;
+    let scatter_m = scatter_about_median(differences)?;
     let holds = checks < LEAST_CHECKS || scatter_m <= MOST_SCATTER * stated_m;
     (!holds).then_some(BlockWarning::OrthophotoHeightsScatter { checks, scatter_m, stated_m })
 }

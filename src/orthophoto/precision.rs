@@ -25,11 +25,15 @@ fn shifts(camera: &Camera, at: [f64; 2], height: f64) -> [[f64; 2]; SHARED.len()
     [[1.0, 0.0], [0.0, 1.0], [x, 0.0], [y, 0.0], [0.0, x], [0.0, y], [x * cube, y * cube], [x * height, y * height]]
 }
 
-/// Where one level stands for the heights, hills differ from it by these together: over the whole image, along it, and as bowls and saddles do. Camera and
-/// orientation take their place in the residuals, of which they leave the small ones.
+/// Heights are wrong by these together: over the whole image, along it, and as bowls and saddles are. Camera and orientation take their place in the
+/// residuals, of which they leave the small ones.
 const HILLS: usize = 6;
-/// Standard deviation of each, as so many times what the residuals still show; never more than the standard error of the level.
+/// Standard deviation of each where one level stands for all heights, as so many times what the residuals still show; never more than the standard error of
+/// the level.
 const OF_RESIDUALS: f64 = 3.0;
+/// Standard deviation of each where there is a height model, as a share of the standard error of its heights: of all together, and at the edge of the image
+/// of what varies over it.
+const OF_MODEL: [f64; HILLS] = [1.0, 0.7, 0.7, 0.7, 0.7, 0.7];
 
 /// What hills add to the height of a place.
 fn hills(camera: &Camera, at: [f64; 2]) -> [f64; HILLS] {
@@ -181,10 +185,14 @@ fn clustered(result: &AdjustmentResult, known: &PlacingCamera, errors: PlaceErro
     for (field, share) in fields.iter().zip(SHARED) {
         middle += share * rms_px * (share * rms_px) * field * field.transpose();
     }
-    if errors.is_level {
+    let of_hill = if errors.is_level {
         let shown = OF_RESIDUALS * rms_px / by_height.square_mean().sqrt();
-        let height = shown.min(errors.height);
-        of_hills.iter().for_each(|field| middle += height * height * field * field.transpose());
+        [shown.min(errors.height); HILLS]
+    } else {
+        OF_MODEL.map(|share| share * errors.height)
+    };
+    for (field, height) in of_hills.iter().zip(of_hill) {
+        middle += height * height * field * field.transpose();
     }
     for (k, weight) in prior_weights(&free, known, sigma0) {
         normal[(k, k)] += weight;
@@ -210,9 +218,16 @@ mod tests {
 
     const POSE: Pose = Pose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], position: [0.0, 0.0, 500.0] };
 
-    /// Of X, Y, Z, ω, φ, κ, of a photo over such ground by a camera that differs from what is known of it as its kind does; with its heights, or on one level.
-    fn errors_by_standard_errors(seed: u32, ground: fn(f64, f64) -> f64, has_model: bool) -> [f64; 6] {
-        let uncertainty = CameraUncertainty::EXIF;
+    /// A model of the heights, with the standard error that is stated of it in m.
+    type Model<'a> = (&'a dyn Fn(f64, f64) -> f64, f64);
+
+    /// Of X, Y, Z, ω, φ, κ, of a photo over such ground by a camera that differs from what is known of it as its kind does; by a model, or on one level.
+    fn errors_by_standard_errors(
+        seed: u32,
+        ground: fn(f64, f64) -> f64,
+        uncertainty: CameraUncertainty,
+        model: Option<Model<'_>>,
+    ) -> [f64; 6] {
         let nominal = Camera::without_distortion(1000, 750, 1000.0);
         let mut random = Random::new(seed);
         let mut unit = || random.below(1 << 20) as f64 / f64::from(1 << 20) - 0.5;
@@ -233,11 +248,17 @@ mod tests {
             let Some([column, row]) = seen.at(&[x, y, z]) else { continue };
             let at = [column + 0.4 * normal(), row + 0.4 * normal()];
             if lens.sees(at[0], at[1]) {
-                links.push(Found { at, place: [x, y, if has_model { z } else { 0.0 }], height_spread: 0.0, measured_px: 0.3 });
+                links.push(Found {
+                    at,
+                    place: [x, y, model.map_or(0.0, |(height, _)| height(x, y))],
+                    height_spread: 0.0,
+                    measured_px: 0.3,
+                });
             }
         }
         let known = PlacingCamera { camera: nominal, uncertainty, decentring: None };
-        let errors = PlaceErrors::new(&PlacingOptions::default(), 0.5, has_model);
+        let options = PlacingOptions { height_sigma_m: model.map(|(_, sigma_m)| sigma_m), ..PlacingOptions::default() };
+        let errors = PlaceErrors::new(&options, 0.5, model.is_some());
         let result = adjusted(&links, &known, (nominal, POSE), errors).unwrap();
         let total = total_errors(&result, &known, errors);
         let pose = result.block.images[0].pose;
@@ -249,12 +270,20 @@ mod tests {
         })
     }
 
+    /// Mean squares over so many photos.
+    fn squares(of: impl Fn(u32) -> [f64; 6], photos: u32) -> [f64; 6] {
+        let all: Vec<[f64; 6]> = (0..photos).map(of).collect();
+        std::array::from_fn(|k| all.iter().map(|ratios| ratios[k] * ratios[k]).sum::<f64>() / all.len() as f64)
+    }
+
+    fn hills(x: f64, y: f64) -> f64 {
+        10.0 * (libm::sin(x / 40.0) + libm::cos(y / 30.0))
+    }
+
     #[test]
     fn standard_errors_hold_what_files_do_not_know_of_a_lens() {
-        let hills = |x: f64, y: f64| 10.0 * (libm::sin(x / 40.0) + libm::cos(y / 30.0));
-        let all: Vec<[f64; 6]> = (0..24).map(|seed| errors_by_standard_errors(seed, hills, true)).collect();
-        let [x, y, z, omega, phi, kappa]: [f64; 6] =
-            std::array::from_fn(|k| all.iter().map(|ratios| ratios[k] * ratios[k]).sum::<f64>() / all.len() as f64);
+        let [x, y, z, omega, phi, kappa] =
+            squares(|seed| errors_by_standard_errors(seed, hills, CameraUncertainty::EXIF, Some((&hills, 0.05))), 24);
         for square in [x, y, omega, phi] {
             assert!((0.3..2.0).contains(&square), "{square}");
         }
@@ -263,13 +292,33 @@ mod tests {
     }
 
     #[test]
+    fn standard_errors_hold_heights_that_are_wrong_together_by_what_is_stated_of_them() {
+        // Over 150 to 500 m, in a photo that shows 500 m, by 0.5 m as is stated: half of it all heights together.
+        let of = |seed: u32| {
+            let mut random = Random::new(seed + 1000);
+            let mut unit = || random.below(1 << 20) as f64 / f64::from(1 << 20) - 0.5;
+            let mut normal = || (0..12).map(|_| unit()).sum::<f64>();
+            let [all, east, north, both] = std::array::from_fn(|_| normal());
+            let model = move |x: f64, y: f64| {
+                let waves = east * libm::sin(x / 80.0) + north * libm::cos(y / 60.0) + both * libm::sin((x + y) / 120.0);
+                hills(x, y) + 0.5 * libm::sqrt(0.5) * all + 0.5 * libm::sqrt(1.0 / 3.0) * waves
+            };
+            errors_by_standard_errors(seed, hills, CameraUncertainty::NONE, Some((&model, 0.5)))
+        };
+        let all = squares(of, 40);
+        assert!(all.iter().all(|square| *square < 1.5), "{all:?}");
+        assert!(all.iter().sum::<f64>() > 0.2 * all.len() as f64, "{all:?}");
+    }
+
+    #[test]
     fn standard_errors_hold_hills_that_a_level_is_not_and_level_ground_stays_precise() {
         // A slope and a valley, which the image takes for its own tilt and height, and what is left for the residuals.
-        let hills = |x: f64, y: f64| 6.0 * x / 300.0 - 5.0 * (y / 300.0) * (y / 300.0) + 2.0 * libm::sin(x / 25.0);
-        let of = |ground| -> Vec<[f64; 6]> { (0..8).map(|seed| errors_by_standard_errors(seed, ground, false)).collect() };
-        let squares =
-            |all: &[[f64; 6]]| [0, 1, 3, 4].map(|k: usize| all.iter().map(|ratios| ratios[k] * ratios[k]).sum::<f64>() / all.len() as f64);
-        for of_ground in [squares(&of(hills)), squares(&of(|_, _| 0.0))] {
+        let valley = |x: f64, y: f64| 6.0 * x / 300.0 - 5.0 * (y / 300.0) * (y / 300.0) + 2.0 * libm::sin(x / 25.0);
+        let of = |ground| {
+            let [x, y, _, omega, phi, _] = squares(|seed| errors_by_standard_errors(seed, ground, CameraUncertainty::EXIF, None), 8);
+            [x, y, omega, phi]
+        };
+        for of_ground in [of(valley), of(|_, _| 0.0)] {
             assert!(of_ground.iter().all(|square| *square < 2.0), "{of_ground:?}");
         }
     }

@@ -4,7 +4,7 @@
 //! from all of one region. Both are alike for neighbours: what a residual differs from theirs by is its own.
 
 use super::place_factors::PlaceResidual;
-use crate::math::{NORMAL_MEDIAN, median};
+use crate::math::{median, scatter};
 
 /// A test beyond this is that of a gross error.
 pub(super) const GROSS: f64 = 3.29;
@@ -44,11 +44,11 @@ pub(super) fn beside_neighbours(places: &[PlaceResidual]) -> Vec<f64> {
             median(&mut around).map_or(0.0, |middle| (metres(place) - middle) / place.sigma[axis])
         });
     }
-    let scatter = |axes: std::ops::Range<usize>| {
+    let along = |axes: std::ops::Range<usize>| {
         let mut sizes: Vec<f64> = known.iter().flat_map(|index| differences[*index][axes.clone()].iter().map(|d| d.abs())).collect();
-        median(&mut sizes).map_or(1.0, |middle| (middle / NORMAL_MEDIAN).max(1.0))
+        scatter(&mut sizes).map_or(1.0, |found| found.max(1.0))
     };
-    let [plan, height] = [scatter(0..2), scatter(2..3)];
+    let [plan, height] = [along(0..2), along(2..3)];
     differences.iter().map(|[x, y, z]| (x.abs().max(y.abs()) / plan).max(z.abs() / height)).collect()
 }
 

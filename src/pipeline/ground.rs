@@ -14,7 +14,7 @@ use super::{BlockRun, ControlTexts, NotLinked, OnOrthophoto, RunInput};
 use crate::crs::HeightZero;
 use crate::error::refuse;
 use crate::formats::{ground_control_table, image_measurement_table};
-use crate::math::{NORMAL_MEDIAN, dot3, median};
+use crate::math::{dot3, median, scatter};
 use crate::reconstruction::{CommonShift, SHARED, origin_of, with_further_control};
 use crate::{
     BlockDescription, ControlPoint, ControlRole, Error, Failure, GroundControlRow, ImageMeasurementRow, ObservationVerdict, PointSource,
@@ -277,8 +277,8 @@ impl<'a> Ground<'a> {
         let tests: Vec<(usize, [f64; 3])> = tests.filter(|(row, _)| whole.contains(row)).collect();
         let largest = |w: &[f64; 3]| w.iter().fold(0.0, |most: f64, w| most.max(w.abs()));
         // Standard errors that were stated too small make no point wrong.
-        let middle = median(&mut tests.iter().flat_map(|(_, w)| w.map(f64::abs)).collect::<Vec<_>>()).unwrap_or(0.0);
-        let scatter = (middle / NORMAL_MEDIAN).max(1.0);
+        let mut sizes: Vec<f64> = tests.iter().flat_map(|(_, w)| w.map(f64::abs)).collect();
+        let scatter = scatter(&mut sizes).map_or(1.0, |found| found.max(1.0));
         let far = beyond(tests.iter().map(|(row, w)| (*row, largest(w) / scatter)).collect());
         let (rows, residuals): (Vec<usize>, Vec<PlaceResidual>) = self.residuals(attempt).into_iter().unzip();
         let unlike = beyond(rows.into_iter().zip(beside_neighbours(&residuals)).collect());

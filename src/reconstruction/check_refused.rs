@@ -6,7 +6,7 @@ use super::mistake::Axis;
 use super::result::{ReconstructedModel, SurveyedPoint};
 use super::warning::BlockWarning;
 use crate::ControlRole;
-use crate::math::{NORMAL_MEDIAN, median, normal_quantile};
+use crate::math::{normal_quantile, scatter};
 use std::collections::BTreeSet;
 
 /// Check points, at least, that tell the scatter of all: of fewer a wrong one makes up the median.
@@ -22,7 +22,7 @@ pub(super) fn of_wrong_checks(model: &ReconstructedModel, known: &Known<'_>) -> 
     let judged: Vec<Judged<'_>> = checks.filter_map(|point| Judged::new(point, shared)).collect();
     let mut sizes: Vec<f64> = judged.iter().flat_map(|check| Axis::ALL.map(|axis| check.size(axis))).collect();
     // Standard errors that were stated too small make no point wrong.
-    let scatter = median(&mut sizes).filter(|_| judged.len() >= LEAST_POINTS).map_or(1.0, |size| (size / NORMAL_MEDIAN).max(1.0));
+    let scatter = scatter(&mut sizes).filter(|_| judged.len() >= LEAST_POINTS).map_or(1.0, |found| found.max(1.0));
     let limit = scatter * normal_quantile(1.0 - 0.5 * known.options.adjustment.alpha0 / sizes.len().max(1) as f64);
     judged.iter().filter(|check| check.size(check.worst()) > limit).map(|check| check.warning(known, limit)).collect()
 }

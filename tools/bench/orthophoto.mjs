@@ -1,4 +1,4 @@
-/** Blocks in the system of an orthophoto of which much has changed, beside their truth, and photos of other towns, none of which may be placed; then blocks on heights that are off. */
+/** Blocks in the system of an orthophoto of which much has changed, beside their truth, and photos of other towns, none of which may be placed; blocks on heights that are off; single photos of several kinds. */
 
 import { example } from './example.mjs';
 import { numberOption } from './options.mjs';
@@ -8,4 +8,6 @@ export async function orthophoto() {
   await example('orthophoto_block', '1', String(numberOption('seeds', 3)));
   console.log('Simulated blocks with precise GNSS positions, on heights that are off (native, two threads)');
   await example('orthophoto_heights', '1', String(numberOption('seeds', 3)));
+  console.log('Single photos, vertical, oblique and on film, on an orthophoto years later (native, one thread)');
+  await example('placing_kinds', '1', String(numberOption('seeds', 3)));
 }
