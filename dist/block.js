@@ -1434,7 +1434,7 @@ var PlacingEngine = class {
 		return this.made(async (tell) => {
 			tell(0, files.length, say("laying-out-the-orthomosaic"));
 			const byName = new Map(files.map(({ name, file }) => [name, file]));
-			const order = await this.maker.call("mosaicOpen", {
+			const { order, remark } = await this.maker.call("mosaicOpen", {
 				project,
 				heights: null,
 				...how,
@@ -1450,7 +1450,10 @@ var PlacingEngine = class {
 				});
 			}
 			tell(order.length, order.length, say("writing-the-orthomosaic"));
-			return this.maker.call("mosaicFinish", null);
+			return {
+				picture: await this.maker.call("mosaicFinish", null),
+				remark
+			};
 		});
 	}
 	frames(scans, given) {
@@ -5437,11 +5440,11 @@ async function saveMosaic(store, engine, placing, near, pixel, images) {
 	if (mosaic === null) return;
 	const [alone, ...others] = images ?? [];
 	const name = alone === void 0 || others.length > 0 ? NAME : rectifiedName(alone);
-	save(mosaic, name);
-	tell$2(store, "info", say("was-saved-2", {
+	save(mosaic.picture, name);
+	tell$2(store, "info", [say("was-saved-2", {
 		name,
 		store: missingText(store, images)
-	}), { beside: true });
+	}), ...mosaic.remark === null ? [] : [sentence(message("remark", mosaic.remark))]].join(" "), { beside: true });
 }
 async function makeMosaic(store, engine, placing, near) {
 	const key = store.state.shown?.key ?? "";
@@ -5453,8 +5456,9 @@ async function makeMosaic(store, engine, placing, near) {
 	if (mosaic === null) return;
 	tell$2(store, "busy", say("laying-the-orthomosaic-under-the"));
 	try {
+		const file = new File([mosaic.picture], NAME, { type: mosaic.picture.type });
 		const orthophoto = await placing.open(await rasterOf({
-			file: new File([mosaic], NAME, { type: mosaic.type }),
+			file,
 			world: null,
 			projection: null
 		}), key);

@@ -1705,7 +1705,10 @@
 			index
 		}));
 		for (const { index } of order.filter(({ name }) => !names.includes(name))) write(made.leave_out(index));
-		return order.filter(({ name }) => names.includes(name));
+		return {
+			order: order.filter(({ name }) => names.includes(name)),
+			remark: made.remark() ?? null
+		};
 	}
 	async function mosaicAdd({ index, file }) {
 		if (mosaic !== null) write(mosaic.add(index, await bytesOf$1(file)));

@@ -18,7 +18,19 @@ import type {
 import type { Position } from '../../shared/state/pane';
 import type { LinksInput } from './block-links';
 import type { Turn, Window } from './match';
-import type { AdjustInput, ControlInput, ElsewhereInput, Ground, LaidInput, LaidPicture, MosaicInput, PlaceInput, PredictInput, TileInput } from './orthophoto';
+import type {
+  AdjustInput,
+  ControlInput,
+  ElsewhereInput,
+  Ground,
+  LaidInput,
+  LaidPicture,
+  MosaicInput,
+  MosaicPlan,
+  PlaceInput,
+  PredictInput,
+  TileInput,
+} from './orthophoto';
 import type { ProjectInput } from './project-input';
 import type { AddedControl } from '../state/added';
 import type { EditStep } from '../state/edits';
@@ -123,7 +135,7 @@ export interface BlockCalls {
   linksFinish: { input: null; output: Uint8Array };
   filmPlan: { input: PlanInput; output: FramePlan };
   filmFrame: { input: FrameInput; output: Frame };
-  mosaicOpen: { input: MosaicInput; output: { name: string; index: number }[] };
+  mosaicOpen: { input: MosaicInput; output: MosaicPlan };
   mosaicAdd: { input: { index: number; file: Blob }; output: null };
   mosaicFinish: { input: null; output: Blob };
   sceneOrthophoto: { input: { flight: BlockFlight; gsd: number }; output: { picture: Uint8Array<ArrayBuffer>; heights: Uint8Array<ArrayBuffer> } };

@@ -66,6 +66,18 @@ export interface MosaicKind {
   images: readonly string[] | null;
 }
 
+/** What is added to a mosaic, in this order, and what is to be said of it. */
+export interface MosaicPlan {
+  order: { name: string; index: number }[];
+  remark: Remark | null;
+}
+
+/** As GeoTIFF. */
+export interface MadeMosaic {
+  picture: Blob;
+  remark: Remark | null;
+}
+
 export interface MosaicInput extends MosaicKind {
   project: Blob;
   heights: Ground['heights'] | null;
@@ -276,8 +288,8 @@ let mosaic: OrthoMosaic | null = null;
 /** What of its file is there: the browser keeps it, on the disk where memory is short. */
 let written: Blob[] = [];
 
-/** Lays out the orthomosaic of a project file; gives its images that will be added, by name and index, in the order in which they are to come. */
-export async function mosaicOpen({ project, heights, inAdjustment, gsd, images, names }: MosaicInput): Promise<{ name: string; index: number }[]> {
+/** Lays out the orthomosaic of a project file; gives its images that will be added, by name and index. */
+export async function mosaicOpen({ project, heights, inAdjustment, gsd, images, names }: MosaicInput): Promise<MosaicPlan> {
   mosaic?.free();
   mosaic = null;
   written = [];
@@ -288,7 +300,7 @@ export async function mosaicOpen({ project, heights, inAdjustment, gsd, images, 
   const own = made.names;
   const order = [...made.order()].map((index) => ({ name: own[index] ?? '', index }));
   for (const { index } of order.filter(({ name }) => !names.includes(name))) write(made.leave_out(index));
-  return order.filter(({ name }) => names.includes(name));
+  return { order: order.filter(({ name }) => names.includes(name)), remark: made.remark() ?? null };
 }
 
 export async function mosaicAdd({ index, file }: { index: number; file: Blob }): Promise<null> {

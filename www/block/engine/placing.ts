@@ -18,7 +18,7 @@ import type { BlockStore } from './engine';
 import { makeFrames } from './frames';
 import { RecordedPositions } from './recorded';
 import type { MadeFrame, Scan, Tell } from './frames';
-import type { Ground, LaidPicture, MosaicKind } from './orthophoto';
+import type { Ground, LaidPicture, MadeMosaic, MosaicKind } from './orthophoto';
 import { say } from '../../shared/text/words';
 import { message, messageOf } from '../../shared/text/messages';
 import { sentence } from '../../shared/text/format';
@@ -243,14 +243,14 @@ export class PlacingEngine {
   }
 
   /**
-   * The orthomosaic of the block of a project file on the heights of its tie points, as GeoTIFF; null where it was cancelled. In the coordinate reference system
+   * The orthomosaic of the block of a project file on the heights of its tie points; null where it was cancelled. In the coordinate reference system
    * of the block where it has one, or, `inAdjustment`, in the system of its adjustment.
    */
-  mosaic(project: Blob, files: readonly BlockFile[], how: MosaicKind): Promise<Blob | null> {
+  mosaic(project: Blob, files: readonly BlockFile[], how: MosaicKind): Promise<MadeMosaic | null> {
     return this.made(async (tell) => {
       tell(0, files.length, say('laying-out-the-orthomosaic'));
       const byName = new Map(files.map(({ name, file }) => [name, file]));
-      const order = await this.maker.call('mosaicOpen', { project, heights: null, ...how, names: [...byName.keys()] });
+      const { order, remark } = await this.maker.call('mosaicOpen', { project, heights: null, ...how, names: [...byName.keys()] });
       for (const [done, { name, index }] of order.entries()) {
         const file = byName.get(name);
         if (file === undefined) continue;
@@ -258,7 +258,7 @@ export class PlacingEngine {
         await this.maker.call('mosaicAdd', { index, file });
       }
       tell(order.length, order.length, say('writing-the-orthomosaic'));
-      return this.maker.call('mosaicFinish', null);
+      return { picture: await this.maker.call('mosaicFinish', null), remark };
     });
   }
 

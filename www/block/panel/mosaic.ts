@@ -3,14 +3,14 @@ import { save } from '../../shared/files/save';
 import type { Notice } from '../../shared/state/notice';
 import { sentence } from '../../shared/text/format';
 import type { BlockEngine, BlockStore } from '../engine/engine';
-import type { MosaicKind } from '../engine/orthophoto';
+import type { MadeMosaic, MosaicKind } from '../engine/orthophoto';
 import type { PlacingEngine } from '../engine/placing';
 import { orthophotoText, rasterOf } from '../files/ground';
 import { imagesOfBlock } from '../state/state';
 import type { BlockFile } from '../state/state';
 import { rectifiedName } from './placing-exports';
 import { say } from '../../shared/text/words';
-import { messageOf } from '../../shared/text/messages';
+import { message, messageOf } from '../../shared/text/messages';
 
 const NAME = 'orthomosaic.tif';
 
@@ -30,8 +30,11 @@ export async function saveMosaic(
   if (mosaic === null) return;
   const [alone, ...others] = images ?? [];
   const name = alone === undefined || others.length > 0 ? NAME : rectifiedName(alone);
-  save(mosaic, name);
-  tell(store, 'info', say('was-saved-2', { name, store: missingText(store, images) }), { beside: true });
+  save(mosaic.picture, name);
+  const saved = say('was-saved-2', { name, store: missingText(store, images) });
+  // What its file cannot say of where it lies.
+  const remark = mosaic.remark === null ? [] : [sentence(message('remark', mosaic.remark))];
+  tell(store, 'info', [saved, ...remark].join(' '), { beside: true });
 }
 
 /** Takes it as the orthophoto of the project. */
@@ -42,7 +45,8 @@ export async function makeMosaic(store: BlockStore, engine: BlockEngine, placing
   if (mosaic === null) return;
   tell(store, 'busy', say('laying-the-orthomosaic-under-the'));
   try {
-    const orthophoto = await placing.open(await rasterOf({ file: new File([mosaic], NAME, { type: mosaic.type }), world: null, projection: null }), key);
+    const file = new File([mosaic.picture], NAME, { type: mosaic.picture.type });
+    const orthophoto = await placing.open(await rasterOf({ file, world: null, projection: null }), key);
     store.dispatch({ type: 'orthophoto', orthophoto });
     tell(store, 'info', say('the-orthomosaic-lies-under-the', { orthophoto: orthophotoText(orthophoto), store: missingText(store, null) }), { beside: true });
   } catch (error) {
@@ -51,7 +55,7 @@ export async function makeMosaic(store: BlockStore, engine: BlockEngine, placing
 }
 
 /** Null where it was cancelled or could not be made, which is said. */
-async function made(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, how: MosaicKind, near: string): Promise<Blob | null> {
+async function made(store: BlockStore, engine: BlockEngine, placing: PlacingEngine, how: MosaicKind, near: string): Promise<MadeMosaic | null> {
   const files = there(store, how.images);
   if (files.length === 0) {
     tell(store, 'problem', say('an-orthomosaic-is-made-of'), { near });
