@@ -5444,7 +5444,7 @@ async function saveMosaic(store, engine, placing, near, pixel, images) {
 	tell$2(store, "info", [say("was-saved-2", {
 		name,
 		store: missingText(store, images)
-	}), ...mosaic.remark === null ? [] : [sentence(message("remark", mosaic.remark))]].join(" "), { beside: true });
+	}), ...mosaic.remark === null ? [] : [say("noted", { remark: sentence(message("remark", mosaic.remark)) })]].join(" "), { beside: true });
 }
 async function makeMosaic(store, engine, placing, near) {
 	const key = store.state.shown?.key ?? "";

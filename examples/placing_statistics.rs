@@ -93,8 +93,11 @@ fn is_even(link: &Link, reference: &Orthophoto) -> bool {
     high - low < EVEN_M
 }
 
+/// Heights are those of the scene: to what they are rounded.
+const HEIGHT_M: f64 = 0.05;
+
 fn options() -> PlacingOptions {
-    PlacingOptions { points: 4000, ..PlacingOptions::default() }
+    PlacingOptions { points: 4000, height_sigma_m: Some(HEIGHT_M), ..PlacingOptions::default() }
 }
 
 fn main() -> ExitCode {

@@ -308,7 +308,7 @@ test('the orthomosaic of a block is laid under its map, saved, and there after a
   await part(page, 'block-export-kind').selectOption('mosaic');
   const mosaic = await saved(page, 'block-export');
   assert.ok(mosaic.length > 10_000 && mosaic.subarray(0, 2).toString() === 'II', `${mosaic.length} bytes`);
-  await status(page, / orthomosaic\.tif was saved\. The mosaic's coordinates are metres east and north of latitude \d/);
+  await status(page, / orthomosaic\.tif was saved\. Note: the mosaic's coordinates are metres east and north of latitude \d/);
   // Of one image that is chosen it is that image on the ground.
   await part(page, 'block-export-kind').selectOption('chosen');
   assert.ok(await part(page, 'block-export').isDisabled());
@@ -316,7 +316,7 @@ test('the orthomosaic of a block is laid under its map, saved, and there after a
   await page.locator('[data-testid="block-images"] tbody tr:not(.filler)').nth(1).click();
   const rectified = await saved(page, 'block-export');
   assert.ok(rectified.length > 1_000 && rectified.length < mosaic.length, `${rectified.length} of ${mosaic.length} bytes`);
-  await status(page, / photo_\d+-rectified\.tif was saved\. The mosaic's coordinates /);
+  await status(page, / photo_\d+-rectified\.tif was saved\. Note: the mosaic's coordinates /);
   await isKept(page, 'block/shown', 'block');
   await page.reload();
   await status(page, /^(Oriented|Weak orientation): .*Restored from this browser/);

@@ -33,8 +33,8 @@ export async function saveMosaic(
   save(mosaic.picture, name);
   const saved = say('was-saved-2', { name, store: missingText(store, images) });
   // What its file cannot say of where it lies.
-  const remark = mosaic.remark === null ? [] : [sentence(message('remark', mosaic.remark))];
-  tell(store, 'info', [saved, ...remark].join(' '), { beside: true });
+  const noted = mosaic.remark === null ? [] : [say('noted', { remark: sentence(message('remark', mosaic.remark)) })];
+  tell(store, 'info', [saved, ...noted].join(' '), { beside: true });
 }
 
 /** Takes it as the orthophoto of the project. */

@@ -426,6 +426,7 @@ rejected-without-tie-point = مرفوضة هنا بلا نقطة ربط في ا�
 edit-and-figures = في الكتلة: { $edit }؛ { $figures }.
 pairs-of-the-block-open-here = تُفتح هنا أزواج الكتلة أيضًا: { $names } أكثرها مطابقات؛ وتُختار الأخرى من خريطة الكتلة أو مصفوفتها أو جدولها.
 was-saved-2 = حُفظ { $name }.{ $store }
+noted = ملاحظة: { $remark }
 laying-the-orthomosaic-under-the = يُفرش الموزاييك المصحح تحت الخريطة …
 the-orthomosaic-lies-under-the = يقع الموزاييك المصحح تحت الخريطة. { $orthophoto }{ $store }
 the-orthomosaic-cannot-be-shown = لا يمكن عرض الموزاييك المصحح: { $sentence }

@@ -477,6 +477,7 @@ marks-without-mm = { $name }: { $marks ->
 ## panel/mosaic
 
 was-saved-2 = { $name } was saved.{ $store }
+noted = Note: { $remark }
 laying-the-orthomosaic-under-the = Laying the orthomosaic under the map …
 the-orthomosaic-lies-under-the = The orthomosaic lies under the map. { $orthophoto }{ $store }
 the-orthomosaic-cannot-be-shown = The orthomosaic cannot be shown: { $sentence }
