@@ -27,7 +27,7 @@ enum Kind {
 const KINDS: [(Kind, &str); 3] = [(Kind::Vertical, "vertical"), (Kind::Film, "scan of film"), (Kind::Oblique, "oblique")];
 
 impl Kind {
-    /// Four photos: of two strips straight down, or tilted by 45° to all sides, behind one straight down.
+    /// Four photos: of two strips straight down, or tilted by 45° to all sides, after one straight down, which is left out.
     fn flight(self, seed: u32) -> (BlockFlight, std::ops::Range<usize>) {
         let [width_px, height_px] = SIZE_PX.map(|side| side as u32);
         let (view, strips, photos) = if self == Self::Oblique { (BlockView::Oblique, 1, 1..5) } else { (BlockView::Nadir, 2, 0..4) };
@@ -51,7 +51,7 @@ const GRAIN: f64 = 10.0;
 const CONTRAST: f64 = 0.6;
 const FOG: f64 = 60.0;
 
-/// Normally distributed, nearly.
+/// Approximately normally distributed.
 fn normal(seed: u32, column: usize, row: usize, what: u32) -> f64 {
     (0..12).map(|k| chance(seed, column, row, what + k)).sum::<f64>() - 6.0
 }
@@ -167,14 +167,14 @@ fn options(pose: &Pose) -> PlacingOptions {
     PlacingOptions { near_x, near_y, within_m: 2.0 * OFF_M, points: 4000, ..PlacingOptions::default() }
 }
 
-/// A photo of a scene on an orthophoto, by its calibrated camera.
-fn placed(scene: &BlockScene, index: usize, kind: Kind, photo: &GreyImage, reference: &Orthophoto) -> PlacedImage {
+/// A photo of a scene on an orthophoto, by its calibrated camera. Each scan has grain and errors of its marks of its own.
+fn placed((scene, seed): (&BlockScene, u32), index: usize, kind: Kind, photo: &GreyImage, reference: &Orthophoto) -> PlacedImage {
     let truth = scene.truth();
     let camera = truth.cameras[truth.images[index].camera];
     let options = options(&truth.images[index].pose.expect("a true pose"));
     let area = SearchArea::new(reference, &options).expect("a place on the orthophoto");
     if kind == Kind::Film {
-        let seed = index as u32 + 100 * camera.width_px;
+        let seed = 100 * seed + index as u32;
         let scan = scan_of(photo, seed);
         return place_film(scan.view(), &film(camera.focal_px, seed), None, reference, &area, &options).expect("a scan with its marks");
     }
@@ -195,7 +195,7 @@ fn main() -> ExitCode {
             let ground = Ground::new(&scene, &flight);
             for ((fault, _), tally) in FAULTS.iter().zip(&mut all) {
                 let reference = ground.later(*fault);
-                photos.iter().for_each(|(index, photo)| tally.add(&scene, *index, placed(&scene, *index, kind, photo, &reference)));
+                photos.iter().for_each(|(index, photo)| tally.add(&scene, *index, placed((&scene, seed), *index, kind, photo, &reference)));
             }
         }
         FAULTS.iter().zip(&all).for_each(|((_, fault), tally)| tally.print(&format!("{name}, {fault}")));

@@ -93,7 +93,7 @@ fn is_even(link: &Link, reference: &Orthophoto) -> bool {
     high - low < EVEN_M
 }
 
-/// Heights are those of the scene: to what they are rounded.
+/// Heights are exact up to rounding.
 const HEIGHT_M: f64 = 0.05;
 
 fn options() -> PlacingOptions {

@@ -17,7 +17,7 @@ import {
 import { noteNotActing } from './acting.js';
 import { BlockFolder, formatsOf } from './block-folder.js';
 import { about, DataError, UsageError } from './errors.js';
-import { exists, imagesIn, isFile, isFolder, readText, reasonOf } from './files.js';
+import { exists, imagesIn, imagesOf, isFile, isFolder, readText, reasonOf } from './files.js';
 import { FolderStore } from './folder-store.js';
 import { checkCrs } from './ground.js';
 import { noteElsewhere, onOrthophoto, ORTHOPHOTO_OPTIONS, orthophotoOf } from './on-orthophoto.js';
@@ -198,10 +198,9 @@ function geoidOf(values, { placing }) {
 function sourcesOf(given) {
   if (given.length === 0) throw new UsageError('FOLDER or IMAGE is missing: tiepoint block FOLDER --out DIR');
   for (const one of given) if (!exists(one)) throw new DataError(`${one}: there is no such file or folder`);
-  const paths = given.flatMap((one) => (isFolder(one) ? imagesIn(one) : [one]));
   /** @type {Map<string, string>} */
   const seen = new Map();
-  return paths.map((file) => {
+  return imagesOf(given).map((file) => {
     const name = basename(file);
     const other = seen.get(name);
     if (other !== undefined) throw new UsageError(`${other} and ${file} have the same name; allowed: each name once`);

@@ -118,6 +118,9 @@ export function filesIn(path) {
     .sort(byNumbers);
 }
 
+/** Single images, and in place of folders the images in them.  @param {readonly string[]} given @returns {string[]} */
+export const imagesOf = (given) => given.flatMap((one) => (isFolder(one) ? imagesIn(one) : [one]));
+
 /** The images of a folder, one at least. Files of kinds that are not decoded, as HEIC, are noted.  @param {string} folder @returns {string[]} */
 export function imagesIn(folder) {
   const all = filesIn(folder);

@@ -27,7 +27,7 @@ export const mosaic = {
   ],
   details:
     'PROJECT is the project.tiepoint of a block, FOLDER that of its images. Without heights the ground is that of the tie points. The mosaic has the colours of the images and at most 4000 MP, north up in the system of the block; its file is written tile by tile. Seams are not ' +
-    'balanced, and walls may show twice: the mosaic is for checking an orientation, and a reference for `tiepoint place`. JSON: file, width_px, height_px, images (of which it is made), missing (that the folder has not), remark (on the heights, or null).',
+    'balanced, and walls may show twice: the mosaic is for checking an orientation, and a reference for `tiepoint place`. JSON: file, width_px, height_px, images (of which it is made), missing (that the folder has not), remark (on the heights or the coordinate system, or null).',
   run,
 };
 
@@ -49,7 +49,6 @@ async function run({ positionals: [project = '', folder = ''], values }) {
   );
   const [{ names }, remark] = [made, made.remark()];
   const wanted = chosen.length > 0 ? chosen : names;
-  if (remark) note(message('remark', remark));
   const files = new Set(filesIn(folder));
   const missing = wanted.filter((name) => !files.has(name));
   if (missing.length === wanted.length) throw new DataError(`${folder}: it has none of the images of the project, ${wanted.slice(0, 3).join(', ')} …`);
@@ -74,6 +73,7 @@ async function run({ positionals: [project = '', folder = ''], values }) {
     });
   });
   shown.end();
+  if (remark) note(message('remark', remark));
   if (values.has('json')) {
     const images = order.map((index) => names[index] ?? '').filter((name) => files.has(name));
     printJson({ file: out, width_px, height_px, images, missing, remark: remark ? withText('remark', remark) : null });

@@ -3,7 +3,7 @@ import { basename, extname } from 'node:path';
 import { withText } from '../messages.js';
 import { check_cameras, message, parse_camera, placed_tables, placing_defaults, placing_parameters } from '../node.js';
 import { about, DataError, UsageError, VERDICT_CODES } from './errors.js';
-import { makeFolder, readBytes, readText, writeInto } from './files.js';
+import { imagesOf, makeFolder, readBytes, readText, writeInto } from './files.js';
 import { checkTogether, flag, JSON_FLAG, optionsOf, pair, path } from './options.js';
 import { note, print, printJson } from './output.js';
 import { marksOf } from './pair.js';
@@ -20,7 +20,7 @@ export const place = {
   name: 'place',
   summary: 'Places images on an orthophoto: their exterior orientation in its system, without any control point.',
   positionals: [],
-  rest: 'IMAGE…',
+  rest: 'FOLDER|IMAGE…',
   options: [
     path('orthophoto', 'FILE', `${ORTHOPHOTO_HELP} required.`),
     ...GROUND_OPTIONS,
@@ -45,7 +45,7 @@ export const place = {
   ],
   details:
     'Points of the image are found on the orthophoto, first about its GNSS position where it has one and the orthophoto says its system, the image is oriented by them, resampled to the ground and matched again, then adjusted; a part of the links takes no part and checks the result. Lengths are those of the ' +
-    'map. An error that all places of the orthophoto or all heights share shows nowhere. JSON: orthophoto, remarks, images [{name, verdict, placement or null, search (how the GNSS position of the image led to it, absent where it was not sought by one)}, …] with camera, pose, standard errors, footprint, links, of scanned film also film with its interior orientation. ' +
+    'map. An error that all places of the orthophoto share shows nowhere; that all heights are wrong together by what is stated of them is part of the standard errors. JSON: orthophoto, remarks, images [{name, verdict, placement or null, search (how the GNSS position of the image led to it, absent where it was not sought by one)}, …] with camera, pose, standard errors, footprint, links, of scanned film also film with its interior orientation. ' +
     'The exit code is that of the worst verdict: 0 placed, 3 weak, 4 not placed.',
   run,
 };
@@ -54,21 +54,22 @@ export const place = {
 async function run({ positionals, values }) {
   const [file, out] = ['orthophoto', 'out'].map((name) => values.get(name));
   if (typeof file !== 'string') throw new UsageError('--orthophoto is missing: name the picture on which the images are placed');
-  if (positionals.length === 0) throw new UsageError('name the images that are to be placed');
+  if (positionals.length === 0) throw new UsageError('name the images that are to be placed, or their folder');
   if (values.has('rectified') && typeof out !== 'string') throw new UsageError('--rectified needs --out, the folder that receives the pictures');
-  refuseTwice(positionals, values.has('rectified') ? stemOf : basename);
+  const photos = imagesOf(positionals);
+  refuseTwice(photos, values.has('rectified') ? stemOf : basename);
   const placing = placingOf(OPTIONS, values);
-  const film = filmOf(values, positionals);
-  const cameras = camerasOf(values.get('cameras'), positionals);
+  const film = filmOf(values, photos);
+  const cameras = camerasOf(values.get('cameras'), photos);
   const ground = groundOf(values);
   checkTogether(values, [['crs', 'positions']]);
   checkCrs(values);
   if (typeof out === 'string') makeFolder(out);
-  const shown = new Progress({ steps: positionals.length + 3 });
+  const shown = new Progress({ steps: photos.length + 3 });
   const reference = shown.step(`reading ${file}`, () => openReference(file, ground, placing));
   try {
-    const table = tableOf(values, positionals, reference);
-    const doubt = shown.step('reading positions', () => elsewhereOf(reference, positionals, table.given));
+    const table = tableOf(values, photos, reference);
+    const doubt = shown.step('reading positions', () => elsewhereOf(reference, photos, table.given));
     const remarks = [...table.remarks, ...(doubt ? [doubt] : [])].map((remark) => withText('remark', remark));
     shown.end();
     for (const { text } of remarks) note(text);
@@ -78,7 +79,7 @@ async function run({ positionals, values }) {
     const pictures = [];
     /** @type {string[]} */
     const failed = [];
-    for (const [index, image] of positionals.entries()) {
+    for (const [index, image] of photos.entries()) {
       const name = basename(image);
       try {
         const bytes = readBytes(image);
@@ -100,7 +101,7 @@ async function run({ positionals, values }) {
     const { heights_from: from, heights_given_in: unit } = result.orthophoto;
     if (unit) note(`heights are in ${unit}, as their file says, and were converted to the unit of the orthophoto`);
     if (from) note(`heights count from ${from}, as their file says`);
-    if (failed.length < positionals.length) {
+    if (failed.length < photos.length) {
       if (values.has('json')) printJson(result);
       else print(...describe(result), ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []));
     }
@@ -204,6 +205,6 @@ function describe({ images }) {
     ),
     ...images.flatMap(({ name, placement }) => (placement?.checks ? [describeChecks(name, placement.checks)] : [])),
     ...images.flatMap(({ name, placement }) => (placement?.film ? [describeMarks(name, placement.film.marks)] : [])),
-    ...(rows.length > 0 ? ['', table([['image', 'X', 'Y', 'Z', 'ω °', 'φ °', 'κ °', 'pixel on the ground'], ...rows])] : []),
+    ...(rows.length > 0 ? ['', 'Orientation ± standard errors', table([['image', 'X', 'Y', 'Z', 'ω °', 'φ °', 'κ °', 'pixel on the ground'], ...rows])] : []),
   ];
 }

@@ -66,7 +66,9 @@ async function run({ values }) {
     );
     const gsd = values.get('orthophoto');
     const ground = typeof gsd === 'number' ? orthophoto(flight, gsd, out) : [];
-    const words = ['tiepoint', 'block', join(out, 'photos'), '--out', join(out, 'block'), '--truth', join(out, 'truth.json')];
+    const [picture, heights] = ground;
+    const onGround = picture && heights ? ['--orthophoto', picture, '--heights', heights] : [];
+    const words = ['tiepoint', 'block', join(out, 'photos'), ...onGround, '--out', join(out, 'block'), '--truth', join(out, 'truth.json')];
     if (values.has('json')) printJson({ photos, truth: join(out, 'truth.json'), block: words, orthophoto: ground });
     else
       print(

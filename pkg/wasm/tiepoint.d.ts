@@ -2619,7 +2619,7 @@ export interface PlacingOptions {
      */
     place_sigma_px: number;
     /**
-     * The standard error of a height of the ground: a larger one weakens links far from the nadir.
+     * The standard error of a height of the ground, by which all heights of a model may be wrong together: a larger one enlarges the standard errors of the image, and weakens links far from the nadir.
      */
     height_sigma_m: number | null;
     /**

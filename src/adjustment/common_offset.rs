@@ -102,9 +102,9 @@ impl Beside<'_> {
             let change = self.followed(|step| step.points[point][axis]);
             self.size(solved.problem.control[point].as_ref()?, statistics.as_ref()?, axis, change)
         };
-        let of = |mut sizes: Vec<f64>| scatter(&mut sizes).filter(|_| sizes.len() >= LEAST_RESIDUALS);
-        let of_positions = of(solved.problem.gnss.iter().enumerate().filter_map(of_image).collect());
-        let of_points = of(adjusted.control.iter().enumerate().filter_map(of_control).collect());
+        let scatter_of = |mut sizes: Vec<f64>| scatter(&mut sizes).filter(|_| sizes.len() >= LEAST_RESIDUALS);
+        let of_positions = scatter_of(solved.problem.gnss.iter().enumerate().filter_map(of_image).collect());
+        let of_points = scatter_of(adjusted.control.iter().enumerate().filter_map(of_control).collect());
         of_positions.into_iter().chain(of_points).fold(1.0, f64::max)
     }
 

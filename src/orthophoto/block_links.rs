@@ -193,7 +193,7 @@ impl BlockLinks {
             }
             factors.extend(median(&mut ratios));
         }
-        // As where an image is placed by itself, residuals say how large all errors are, and what was stated how they differ.
+        // Residuals say how large all errors are, and what was stated how they differ.
         let factor = scatter(&mut factors).map_or(1.0, |found| found.max(LEAST_FACTOR));
         let of_images = median(&mut self.sure().map(|(_, placement)| placement.gsd_m).collect::<Vec<_>>()).unwrap_or(gsd);
         let within = ONE_PLACE_PX * gsd.max(of_images);

@@ -22,7 +22,7 @@ options! {
         /// The standard error of a place of the orthophoto, in its px: a larger one enlarges the standard errors of the image.
         place_sigma_px: f64 = 0.3, "Standard error of a place", in "px", 0.01..=100;
 
-        /// The standard error of a height of the ground: a larger one weakens links far from the nadir.
+        /// The standard error of a height of the ground, by which all heights of a model may be wrong together: a larger one enlarges the standard errors of the image, and weakens links far from the nadir.
         height_sigma_m: Option<f64> = None, "Standard error of a height", in "m", 0.001..=1000, absent "one pixel of the orthophoto with a height model, ten without";
 
         /// The height of the zero of the heights of the ground above the ellipsoid of WGS 84, where their file does not say that they count from the ellipsoid: that of the geoid for heights above sea level, 0 for ellipsoidal ones.

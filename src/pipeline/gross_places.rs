@@ -44,11 +44,11 @@ pub(super) fn beside_neighbours(places: &[PlaceResidual]) -> Vec<f64> {
             median(&mut around).map_or(0.0, |middle| (metres(place) - middle) / place.sigma[axis])
         });
     }
-    let along = |axes: std::ops::Range<usize>| {
+    let scatter_along = |axes: std::ops::Range<usize>| {
         let mut sizes: Vec<f64> = known.iter().flat_map(|index| differences[*index][axes.clone()].iter().map(|d| d.abs())).collect();
         scatter(&mut sizes).map_or(1.0, |found| found.max(1.0))
     };
-    let [plan, height] = [along(0..2), along(2..3)];
+    let [plan, height] = [scatter_along(0..2), scatter_along(2..3)];
     differences.iter().map(|[x, y, z]| (x.abs().max(y.abs()) / plan).max(z.abs() / height)).collect()
 }
 

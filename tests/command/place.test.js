@@ -21,7 +21,8 @@ const GROUND = ['--orthophoto', join(OWN.at, 'orthophoto.tif'), '--heights', joi
 
 test('photos are placed on the orthophoto of their scene, and their pictures lie on it', () => {
   const out = folder();
-  const result = json('place', ...OWN.photos, ...GROUND, '--out', out, '--rectified');
+  // The folder of the photos, in place of each.
+  const result = json('place', join(OWN.at, 'photos'), ...GROUND, '--out', out, '--rectified');
   assert.equal(result.images.length, 2);
   for (const [index, { name, verdict, placement }] of result.images.entries()) {
     assert.equal(verdict.kind, 'placed', JSON.stringify(verdict));
