@@ -3,7 +3,7 @@
 
 mod later;
 
-use later::{FAULTS, Fault, GSD_M, Ground};
+use later::{FAULTS, Fault, GSD_M, Ground, TOGETHER_M};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -203,7 +203,7 @@ fn main() -> ExitCode {
         let block = Photos::new(&scene, &folder);
         let ground = Ground::new(&scene, &flight);
         for ((fault, name), sums) in FAULTS.iter().zip(&mut all) {
-            let reference = ground.later(*fault);
+            let reference = ground.later(*fault, TOGETHER_M);
             let [width, height] = reference.size().map(|side| side as f64);
             let [x, y] = reference.georeference.ground([0.5 * width, 0.5 * height]);
             let reach = GSD_M * width.max(height);

@@ -11,9 +11,9 @@ const MORE_CHANGES: [(f64, f64); 2] = [(60.0, 0.35), (12.0, 0.2)];
 const FIELDS: (f64, f64) = (80.0, 0.2);
 const TEXTURE_PX: f64 = 6.0;
 const TEXTURE_GREY: f64 = 25.0;
-/// Standard error of a height, that which is stated without an option, and the distance in m within which heights err together.
+/// Standard error of a height, that which is stated without an option, and the usual distance in m within which heights err together.
 const HEIGHT_M: f64 = GSD_M;
-const TOGETHER_M: f64 = 150.0;
+pub const TOGETHER_M: u32 = 150;
 /// Other light, and noise in grey values.
 const GAIN: f64 = 0.75;
 const OFFSET: f64 = 35.0;
@@ -76,8 +76,8 @@ impl Ground {
         Self { own, before, other, seed: flight.seed }
     }
 
-    /// Its orthophoto years later: squares of it show another town, the light is another.
-    pub fn later(&self, fault: Fault) -> Orthophoto {
+    /// Its orthophoto years later: squares of it show another town, the light is another. `together_m`: the distance within which heights err together.
+    pub fn later(&self, fault: Fault, together_m: u32) -> Orthophoto {
         let Self { own, before, other, seed } = self;
         let changes = if matches!(fault, Fault::Built) { MORE_CHANGES } else { CHANGES };
         let is_among = |column: usize, row: usize, what: u32, (side_m, share): (f64, f64)| {
@@ -96,7 +96,7 @@ impl Ground {
         };
         let grey = GreyImage::from_fn(before.width(), before.height(), grey).expect("as large as it was");
         let heights = match fault {
-            Fault::Heights => wrong_together(own, *seed),
+            Fault::Heights => wrong_together(own, *seed, together_m),
             Fault::None | Fault::Built | Fault::Season => own.heights.clone(),
         };
         Orthophoto::new(grey, own.georeference, heights).expect("the place that it had")
@@ -104,12 +104,12 @@ impl Ground {
 }
 
 /// The heights of an orthophoto with errors as large as stated that neighbours share.
-fn wrong_together(own: &Orthophoto, seed: u32) -> Heights {
+fn wrong_together(own: &Orthophoto, seed: u32, together_m: u32) -> Heights {
     let [width, height] = own.size();
     let wrong = |k: usize| {
         let (column, row) = (k % width, k / width);
         let right = own.heights.at(own.georeference.ground([column as f64 + 0.5, row as f64 + 0.5]));
-        right.map_or(f32::NAN, |right| (right + HEIGHT_M * smooth(seed, column, row, TOGETHER_M / GSD_M, 31)) as f32)
+        right.map_or(f32::NAN, |right| (right + HEIGHT_M * smooth(seed, column, row, f64::from(together_m) / GSD_M, 31)) as f32)
     };
     let model = HeightModel::new(width, height, (0..width * height).map(wrong).collect(), own.georeference);
     Heights::Model(model.expect("heights of the earth"))
